@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "sim/cli/list.h"
+#include "sim/mesh/vector.h"
 
 void gltf_multiply(const double a[16], const double b[16], double to[16])
 {
@@ -16,6 +17,27 @@ void gltf_multiply(const double a[16], const double b[16], double to[16])
         to[i] = 0;
         for (int k = 0; k < 4; k++)
             to[i] += a[i % 4 + 4 * k] * b[i / 4 * 4 + k];
+    }
+}
+
+double gltf_determinant(const double m[16])
+{
+    double a[3] = {m[0], m[1], m[2]}, b[3] = {m[4], m[5], m[6]}, c[3];
+    vector_cross(a, b, c);
+    return c[0] * m[8] + c[1] * m[9] + c[2] * m[10];
+}
+
+void gltf_turn_normal(const double m[16], const double from[3], double to[3])
+{
+    const double sign = gltf_determinant(m) < 0 ? -1 : 1;
+    for (int k = 0; k < 3; k++) {
+        to[k] = 0;
+        for (int i = 0; i < 3; i++) {
+            const int r = (k + 1) % 3, s = (k + 2) % 3;
+            const int c = (i + 1) % 3 * 4, d = (i + 2) % 3 * 4;
+            to[k] +=
+                sign * from[i] * (m[r + c] * m[s + d] - m[r + d] * m[s + c]);
+        }
     }
 }
 
@@ -140,7 +162,7 @@ static bool find(struct found *f)
     struct gltf *g = f->g;
     const json_int_t scene = gltf_index(g, g->root, "scene");
     if (!json_object_get(g->root, "scenes"))
-        return gltf_refuse(g, "a mesh file without a scene");
+        return gltf_refuse(g, "a mesh file without a scene: expected one");
     const json_t *shown = gltf_at(g, "scenes", scene < 0 ? 0 : scene);
     const json_t *nodes = gltf_list(g, shown, "nodes");
     for (size_t i = 0; i < json_array_size(nodes) && g->good; i++) {

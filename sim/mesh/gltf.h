@@ -42,6 +42,12 @@ __attribute__((format(printf, 2, 3))) void *gltf_refuse(struct gltf *g,
                                                         const char *format,
                                                         ...);
 
+/* The same, with where the object is in the file. */
+__attribute__((format(printf, 3, 4))) void *gltf_refuse_in(struct gltf *g,
+                                                           const json_t *object,
+                                                           const char *format,
+                                                           ...);
+
 /* An object of the array of that name; NULL, with a message, when it is not
  * there. */
 json_t *gltf_at(struct gltf *g, const char *array, json_int_t index);
@@ -108,6 +114,11 @@ void *gltf_refuse_depth(struct gltf *g, json_int_t node);
 /* 4 x 4 matrices, column by column as in the file. */
 void gltf_multiply(const double a[16], const double b[16], double to[16]);
 bool gltf_node_matrix(struct gltf *g, const json_t *node, double to[16]);
+
+double gltf_determinant(const double m[16]);
+
+/* A normal is turned by the matrix of the cofactors. */
+void gltf_turn_normal(const double m[16], const double from[3], double to[3]);
 
 /* A primitive where a node shows it. */
 struct gltf_primitive {

@@ -89,10 +89,11 @@ static bool read_sparse(struct gltf *g, const json_t *sparse,
     const json_t *values = json_object_get(sparse, "values");
     const double count = gltf_size(g, sparse, "count");
     if (!(count >= 1 && count <= (double)all->count))
-        return gltf_refuse(g,
-                           "a sparse accessor has %g elements: expected 1 to "
-                           "%zu",
-                           count, all->count);
+        return gltf_refuse_in(
+            g, sparse,
+            "a sparse accessor has %g elements: expected 1 to "
+            "%zu",
+            count, all->count);
     struct elements e = {.view = gltf_index(g, indices, "bufferView"),
                          .kind = gltf_index(g, indices, "componentType"),
                          .offset = gltf_size(g, indices, "byteOffset"),
@@ -104,10 +105,10 @@ static bool read_sparse(struct gltf *g, const json_t *sparse,
     if (!index || !value)
         gltf_refuse(g, "no memory for %zu numbers", e.count);
     else if (!is_index(e.kind))
-        gltf_refuse(g,
-                    "a sparse accessor has indices of componentType %lld: "
-                    "expected 5121, 5123 or 5125",
-                    (long long)e.kind);
+        gltf_refuse_in(g, sparse,
+                       "a sparse accessor has indices of componentType %lld: "
+                       "expected 5121, 5123 or 5125",
+                       (long long)e.kind);
     bool good = g->good && read(g, &e, index);
     e = *all;
     e.count = (size_t)count;
@@ -117,10 +118,10 @@ static bool read_sparse(struct gltf *g, const json_t *sparse,
     good = good && read(g, &e, value);
     for (size_t i = 0; good && i < e.count; i++) {
         if (index[i] >= (double)all->count)
-            good = gltf_refuse(g,
-                               "a sparse accessor has the index %.0f: "
-                               "expected less than %zu",
-                               index[i], all->count);
+            good = gltf_refuse_in(g, sparse,
+                                  "a sparse accessor has the index %.0f: "
+                                  "expected less than %zu",
+                                  index[i], all->count);
         else
             memcpy(to + (size_t)index[i] * n, value + i * n,
                    n * sizeof(*value));

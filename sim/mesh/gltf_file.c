@@ -3,8 +3,8 @@
 
 #ifdef HAVE_JANSSON
 #include <ctype.h>
+#include <errno.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,94 +13,6 @@
 #include "sim/mesh/mend.h"
 
 enum { CHUNK_JSON = 0x4E4F534A, CHUNK_BIN = 0x004E4942 };
-
-void *gltf_refuse(struct gltf *g, const char *format, ...)
-{
-    char text[400];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof(text), format, arguments);
-    va_end(arguments);
-    if (g->good)
-        message_error_at(g->path, 0, "%s", text);
-    g->good = false;
-    return NULL;
-}
-
-json_t *gltf_at(struct gltf *g, const char *array, json_int_t index)
-{
-    json_t *list = json_object_get(g->root, array);
-    json_t *object = index >= 0 ? json_array_get(list, (size_t)index) : NULL;
-    return json_is_object(object) ? object
-                                  : gltf_refuse(g, "%s[%lld] is not there",
-                                                array, (long long)index);
-}
-
-double gltf_number(struct gltf *g, const json_t *object, const char *key,
-                   double fallback)
-{
-    const json_t *member = json_object_get(object, key);
-    if (member && !json_is_number(member))
-        gltf_refuse(g, "'%s' is no number", key);
-    return json_is_number(member) ? json_number_value(member) : fallback;
-}
-
-json_int_t gltf_index(struct gltf *g, const json_t *object, const char *key)
-{
-    const json_t *member = json_object_get(object, key);
-    if (member && !(json_is_integer(member) && json_integer_value(member) >= 0))
-        gltf_refuse(g, "'%s' is no number from 0 on", key);
-    return json_is_integer(member) ? json_integer_value(member) : -1;
-}
-
-double gltf_size(struct gltf *g, const json_t *object, const char *key)
-{
-    const double size = gltf_number(g, object, key, 0);
-    if (size < 0 || floor(size) != size)
-        gltf_refuse(g, "'%s' is %g: expected a whole number from 0 on", key,
-                    size);
-    return size;
-}
-
-bool gltf_numbers(struct gltf *g, const json_t *object, const char *key,
-                  double *number, size_t n)
-{
-    const json_t *member = json_object_get(object, key);
-    if (!member)
-        return false;
-    if (!json_is_array(member) || json_array_size(member) != n)
-        return gltf_refuse(g, "'%s' is no array of %zu numbers", key, n);
-    for (size_t i = 0; i < n; i++) {
-        const json_t *item = json_array_get(member, i);
-        if (!json_is_number(item))
-            return gltf_refuse(g, "'%s' is no array of numbers", key);
-        number[i] = json_number_value(item);
-    }
-    return true;
-}
-
-const json_t *gltf_member(struct gltf *g, const json_t *object,
-                          const char *path)
-{
-    while (object && *path) {
-        const size_t n = strcspn(path, ".");
-        char key[64];
-        snprintf(key, sizeof(key), "%.*s", (int)n, path);
-        object = json_object_get(object, key);
-        if (object && !json_is_object(object))
-            return gltf_refuse(g, "'%s' is no object", key);
-        path += n + (path[n] == '.');
-    }
-    return object;
-}
-
-const json_t *gltf_list(struct gltf *g, const json_t *object, const char *key)
-{
-    const json_t *member = json_object_get(object, key);
-    if (member && !json_is_array(member))
-        return gltf_refuse(g, "'%s' is no array", key);
-    return member;
-}
 
 static int digit_of(int c)
 {
@@ -168,14 +80,19 @@ static bool read_buffer(struct gltf *g, json_int_t index)
     if (!uri && index == 0)
         *b = g->chunk;
     else if (!uri || !gltf_uri(g->path, uri, b, &path))
-        return gltf_refuse(g, "buffers[%lld] has no data", (long long)index);
+        return gltf_refuse(
+            g,
+            "buffers[%lld] has no data: expected a uri of a file or of base64",
+            (long long)index);
     struct mend file = {.path = path};
+    errno = 0;
     if (path && !mend_read(&file, path))
-        return gltf_refuse(g, "its buffer %.200s cannot be read", path);
+        return gltf_refuse(g, "its buffer %.200s cannot be read: %s", path,
+                           strerror(errno ? errno : ENOMEM));
     if (path)
         *b = (struct gltf_bytes){(const uint8_t *)file.text, file.size};
     if (!b->at || (double)b->size < size)
-        return gltf_refuse(g, "buffers[%lld] has %zu bytes of %.0f",
+        return gltf_refuse(g, "buffers[%lld] has %zu bytes: expected %.0f",
                            (long long)index, b->size, size);
     return g->good;
 }
@@ -192,8 +109,11 @@ const uint8_t *gltf_view(struct gltf *g, json_int_t view, double offset,
         return NULL;
     if (offset < 0 || size < 0 || offset + size > length ||
         first + length > (double)g->buffer[buffer].size)
-        return gltf_refuse(g, "bytes %.0f to %.0f leave bufferViews[%lld]",
-                           offset, offset + size, (long long)view);
+        return gltf_refuse(
+            g,
+            "bytes %.0f to %.0f leave bufferViews[%lld]: expected %.0f at most",
+            offset, offset + size, (long long)view,
+            fmax(fmin(length, (double)g->buffer[buffer].size - first), 0));
     return g->buffer[buffer].at + (size_t)(first + offset);
 }
 
@@ -229,7 +149,10 @@ static bool find_chunks(struct gltf *g, const struct mend *file,
             g->chunk = chunk;
         at += 8 + (chunk.size + 3) / 4 * 4;
     }
-    return json->at ? true : (bool)gltf_refuse(g, "ends before its chunks do");
+    return json->at
+               ? true
+               : (bool)gltf_refuse(
+                     g, "ends before its chunks do: expected a whole file");
 }
 
 /* What it needs, or what it would show with more. */
@@ -273,14 +196,18 @@ bool gltf_open(struct gltf *g, const char *path)
     struct gltf_bytes json;
     json_error_t error;
     *g = (struct gltf){.path = path, .good = true};
+    errno = 0;
     if (!mend_read(&file, path))
-        return gltf_refuse(g, "cannot be read");
+        return gltf_refuse(g, "cannot be read: %s",
+                           strerror(errno ? errno : ENOMEM));
     if (!find_chunks(g, &file, &json) || g->is_old)
         return g->is_old;
     g->root = json_loadb((const char *)json.at, json.size, 0, &error);
-    if (!json_is_object(g->root))
+    if (!g->root)
         return gltf_refuse(g, "line %d: no JSON (%.160s)", error.line,
-                           g->root ? "no object" : error.text);
+                           error.text);
+    if (!json_is_object(g->root))
+        return gltf_refuse(g, "is no glTF: expected a JSON object");
     const char *version = json_string_value(
         json_object_get(gltf_member(g, g->root, "asset"), "version"));
     g->is_old = !version || *version == '1';
@@ -291,7 +218,7 @@ bool gltf_open(struct gltf *g, const char *path)
                            version);
     g->buffer = calloc(json_array_size(json_object_get(g->root, "buffers")) + 1,
                        sizeof(*g->buffer));
-    return (g->buffer || message_error("no memory for buffers")) &&
+    return (g->buffer || gltf_refuse(g, "no memory for buffers")) &&
            check_extensions(g);
 }
 

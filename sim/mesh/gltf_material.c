@@ -24,13 +24,17 @@ static bool make_texture(struct gltf *g, json_int_t index,
     if (view >= 0)
         bytes = gltf_whole_view(g, view);
     else if (!uri || !gltf_uri(g->path, uri, &bytes, &to->path))
-        return gltf_refuse(g, "images[%lld] has no data", (long long)index);
+        return gltf_refuse(
+            g, "images[%lld] has no data: expected a uri or a bufferView",
+            (long long)index);
     if (to->path)
         return true;
     to->size = bytes.size;
     to->bytes = malloc(bytes.size + 1);
     if (!bytes.at || !to->bytes || asprintf(&to->path, "*%d", (int)index) < 0)
-        return gltf_refuse(g, "images[%lld] has no data", (long long)index);
+        return gltf_refuse(
+            g, "images[%lld] has no data: expected a uri or a bufferView",
+            (long long)index);
     memcpy(to->bytes, bytes.at, bytes.size);
     return true;
 }

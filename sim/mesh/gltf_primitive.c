@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "sim/cli/message.h"
-#include "sim/mesh/vector.h"
 
 enum mode { POINTS, LINES, LOOP, LINE_STRIP, TRIANGLES, STRIP, FAN };
 
@@ -37,11 +36,12 @@ static bool read(struct gltf *g, const json_t *attributes, const char *name,
     if (!gltf_accessor(g, gltf_index(g, attributes, name), to))
         return false;
     if (components && to->components != components)
-        return gltf_refuse(g, "%s has %d numbers, not %d", name, to->components,
-                           components);
+        return gltf_refuse_in(g, attributes, "%s has %d numbers: expected %d",
+                              name, to->components, components);
     return to->count >= count ||
-           gltf_refuse(g, "%s has %zu elements, POSITION %zu", name, to->count,
-                       count);
+           gltf_refuse_in(g, attributes,
+                          "%s has %zu elements: expected %zu as POSITION has",
+                          name, to->count, count);
 }
 
 /* Of the shapes that it can take each has a weight. */
@@ -74,7 +74,8 @@ static bool read_all(struct gltf *g, const struct gltf_primitive *p,
     char uv[32];
     snprintf(uv, sizeof(uv), "TEXCOORD_%lld", (long long)m->place.set);
     if (!read(g, from, "POSITION", 3, &a->position) || !a->position.number)
-        return gltf_refuse(g, "a primitive has no POSITION");
+        return gltf_refuse_in(g, p->json,
+                              "a primitive has no POSITION: expected one");
     a->normal.count = a->uv.count = a->color.count = a->position.count;
     for (int i = 0; i < 2; i++)
         a->joint[i].count = a->weight[i].count = a->position.count;
@@ -89,8 +90,8 @@ static bool read_all(struct gltf *g, const struct gltf_primitive *p,
            add_morphs(g, p, "NORMAL", &a->normal) &&
            (!a->color.number || a->color.components == 3 ||
             a->color.components == 4 ||
-            gltf_refuse(g, "COLOR_0 has %d numbers: expected 3 or 4",
-                        a->color.components));
+            gltf_refuse_in(g, from, "COLOR_0 has %d numbers: expected 3 or 4",
+                           a->color.components));
 }
 
 static bool is_one_color(const struct gltf_array *c)
@@ -152,7 +153,8 @@ static bool make_room(struct gltf *g, struct mesh *mesh, size_t vertices,
 {
     const size_t v = mesh->vertices + vertices, t = mesh->triangles + triangles;
     if (v > 1u << 28 || t > 1u << 28)
-        return gltf_refuse(g, "more than 2^28 vertices or triangles");
+        return gltf_refuse(
+            g, "more than 2^28 vertices or triangles: expected no more");
     if (v > g->room[0]) {
         g->room[0] = v + v / 2;
         void *to = realloc(mesh->vertex, g->room[0] * sizeof(*mesh->vertex));
@@ -231,28 +233,6 @@ static bool matrix_of(const struct gltf_primitive *p,
     return true;
 }
 
-static double determinant(const double m[16])
-{
-    double a[3] = {m[0], m[1], m[2]}, b[3] = {m[4], m[5], m[6]}, c[3];
-    vector_cross(a, b, c);
-    return c[0] * m[8] + c[1] * m[9] + c[2] * m[10];
-}
-
-/* A normal is turned by the matrix of the cofactors. */
-static void turn_normal(const double m[16], const double from[3], double to[3])
-{
-    const double sign = determinant(m) < 0 ? -1 : 1;
-    for (int k = 0; k < 3; k++) {
-        to[k] = 0;
-        for (int i = 0; i < 3; i++) {
-            const int r = (k + 1) % 3, s = (k + 2) % 3;
-            const int c = (i + 1) % 3 * 4, d = (i + 2) % 3 * 4;
-            to[k] +=
-                sign * from[i] * (m[r + c] * m[s + d] - m[r + d] * m[s + c]);
-        }
-    }
-}
-
 static void put_vertex(const struct attributes *a, const double m[16], size_t i,
                        struct mesh_vertex *to)
 {
@@ -262,7 +242,7 @@ static void put_vertex(const struct attributes *a, const double m[16], size_t i,
         to->position[k] = m[k] * at[0] + m[k + 4] * at[1] + m[k + 8] * at[2] +
                           m[k + 12] + 0.0;
     if (a->normal.number)
-        turn_normal(m, a->normal.number + 3 * i, to->normal);
+        gltf_turn_normal(m, a->normal.number + 3 * i, to->normal);
 }
 
 static bool put_vertices(struct gltf *g, struct mesh *mesh,
@@ -280,7 +260,10 @@ static bool put_vertices(struct gltf *g, struct mesh *mesh,
         struct mesh_vertex *v = &mesh->vertex[mesh->vertices + i];
         double matrix[16];
         if (!matrix_of(p, a, &skin, i, matrix))
-            return gltf_refuse(g, "JOINTS_0 names one that the skin has not");
+            return gltf_refuse_in(g, p->json,
+                                  "JOINTS_0 or JOINTS_1 has a joint that is "
+                                  "not there: expected less than %zu",
+                                  skin.count);
         put_vertex(a, matrix, i, v);
         for (int k = 0; k < 2 && a->uv.number; k++)
             v->uv[k] = from->place.uv[k][0] * a->uv.number[2 * i] +
@@ -310,6 +293,7 @@ static size_t corner(int mode, size_t i, size_t k)
 }
 
 struct drawn {
+    const json_t *json;
     int mode;
     size_t vertices; /* the last of the mesh */
     bool mirrored;
@@ -328,10 +312,10 @@ static bool put_triangles(struct gltf *g, struct mesh *mesh,
             const size_t n = corner(d->mode, i, k);
             const double v = index->number ? index->number[n] : (double)n;
             if (v >= (double)d->vertices)
-                return gltf_refuse(g,
-                                   "index %.0f is out of range: the "
-                                   "primitive has %zu vertices",
-                                   v, d->vertices);
+                return gltf_refuse_in(g, d->json,
+                                      "index %.0f is out of range: the "
+                                      "primitive has %zu vertices",
+                                      v, d->vertices);
             to[d->mirrored ? 2 - k : k] = (uint32_t)(first + (size_t)v);
         }
     }
@@ -365,8 +349,9 @@ static bool add(struct gltf *g, struct mesh *mesh,
     a->one_color = a->color.number && is_one_color(&a->color);
     index.count = a->position.count;
     if (mode > FAN)
-        return gltf_refuse(g, "a primitive has the mode %lld: expected 0 to 6",
-                           (long long)own);
+        return gltf_refuse_in(g, p->json,
+                              "a primitive has the mode %lld: expected 0 to 6",
+                              (long long)own);
     if (indices >= 0 && !gltf_indices(g, indices, &index))
         return false;
     if (is_cut_away(material, a)) {
@@ -384,8 +369,8 @@ static bool add(struct gltf *g, struct mesh *mesh,
         free(index.number);
         return true;
     }
-    const struct drawn drawn = {mode, a->position.count,
-                                determinant(p->world) < 0};
+    const struct drawn drawn = {p->json, mode, a->position.count,
+                                gltf_determinant(p->world) < 0};
     const bool done = make_room(g, mesh, a->position.count, index.count) &&
                       put_vertices(g, mesh, p, material, a) &&
                       put_triangles(g, mesh, &drawn, &index);

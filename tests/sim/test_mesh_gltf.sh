@@ -262,34 +262,40 @@ for name in KHR_draco_mesh_compression EXT_meshopt_compression KHR_texture_basis
     refused "requires the extension $name, which pel does not have" \
         '"POSITION": 0' "$red" "$i" '' '' ", \"extensionsRequired\": [\"$name\"]"
 done
-refused "index 3 is out of range: the primitive has 3 vertices" \
+refused "meshes[0].primitives[0]: index 3 is out of range: the primitive has 3 vertices" \
     '"POSITION": 17' "$red" "$i"
-refused "a primitive has no POSITION" '"NORMAL": 0' "$red" "$i"
-refused "accessors[99] is not there" '"POSITION": 99' "$red" "$i"
+refused "meshes[0].primitives[0]: a primitive has no POSITION" '"NORMAL": 0' "$red" "$i"
+refused "nodes[0]: 'translation' is [1,\"a\",0]: expected an array of 3 numbers" \
+    '"POSITION": 0' "$red" "$i" ', "translation": [1, "a", 0]'
+refused "an index of 'textures' is missing: expected one" '"POSITION": 0' \
+    '"pbrMetallicRoughness": {"baseColorTexture": {}}' "$i"
+refused "accessors[99] is not there: expected an object" '"POSITION": 99' "$red" "$i"
 refused "materials[7] is not there" '"POSITION": 0' "$red" "$i, \"material\": 7"
-refused "POSITION has 2 numbers, not 3" '"POSITION": 1' "$red" "$i"
-refused "COLOR_0 has 2 numbers" '"POSITION": 0, "COLOR_0": 1' "$red" "$i"
-refused "NORMAL has 3 elements, POSITION 4" '"POSITION": 0, "NORMAL": 17' "$red" "$i"
-refused "'index' is no number from 0 on" '"POSITION": 0' \
+refused "meshes[0].primitives[0].attributes: POSITION has 2 numbers: expected 3" '"POSITION": 1' "$red" "$i"
+refused "meshes[0].primitives[0].attributes: COLOR_0 has 2 numbers: expected 3 or 4" '"POSITION": 0, "COLOR_0": 1' "$red" "$i"
+refused "meshes[0].primitives[0].attributes: NORMAL has 3 elements: expected 4 as POSITION has" \
+    '"POSITION": 0, "NORMAL": 17' "$red" "$i"
+refused "materials[0].pbrMetallicRoughness.baseColorTexture: 'index' is -1: expected a whole number from 0 on" '"POSITION": 0' \
     '"pbrMetallicRoughness": {"baseColorTexture": {"index": -1}}' "$i"
-refused "'baseColorFactor' is no array of 4 numbers" '"POSITION": 0' \
+refused "materials[0].pbrMetallicRoughness: 'baseColorFactor' is [1,0,0]: expected an array of 4 numbers" '"POSITION": 0' \
     '"pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0]}' "$i"
-refused "'pbrMetallicRoughness' is no object" '"POSITION": 0' \
+refused "materials[0]: 'pbrMetallicRoughness' is 5: expected an object" '"POSITION": 0' \
     '"pbrMetallicRoughness": 5' "$i"
 refused "nodes[0] of the scene is a child, or there twice: expected a root, once" \
     '"POSITION": 0' "$red" "$i" ', "children": [0]'
-refused "'children' is no array" '"POSITION": 0' "$red" "$i" ', "children": 1'
-refused "a primitive has the mode 7: expected 0 to 6" '"POSITION": 0' "$red" ', "mode": 7'
-refused "'mode' is no number from 0 on" '"POSITION": 0' "$red" ', "mode": -1'
+refused "nodes[0]: 'children' is 1: expected an array" '"POSITION": 0' "$red" "$i" ', "children": 1'
+refused "meshes[0].primitives[0]: a primitive has the mode 7: expected 0 to 6" '"POSITION": 0' "$red" ', "mode": 7'
+refused "meshes[0].primitives[0]: 'mode' is -1: expected a whole number from 0 on" \
+    '"POSITION": 0' "$red" ', "mode": -1'
 for of in 1 5 19; do
     refused "accessors[$of] has no indices: expected SCALAR of componentType 5121, 5123 or 5125" \
         '"POSITION": 0' "$red" ", \"indices\": $of"
 done
-refused "'targets' is no array" '"POSITION": 0' "$red" "$i, \"targets\": 1"
+refused "meshes[0].primitives[0]: 'targets' is 1: expected an array" '"POSITION": 0' "$red" "$i, \"targets\": 1"
 gltf '"POSITION": 0' "$red" ', "mode": 1'
 refused_command "a.gltf: a mesh file without triangles" info "$work/a.gltf"
 grep -q "0 points and 2 lines are left out" "$work/err" || fail "no lines told"
-refused "COLOR_0 has 16 numbers: expected 3 or 4" \
+refused "meshes[0].primitives[0].attributes: COLOR_0 has 16 numbers: expected 3 or 4" \
     '"POSITION": 0, "COLOR_0": 18' "$red" "$i"
 
 # What is changed in a file that is read: refused, or shown.
@@ -305,9 +311,19 @@ inside='s/"uri": "t4.png"/"bufferView": 0, "mimeType": "image\/png"/'
 both='"POSITION": 0, "TEXCOORD_0": 1'
 for view in '"byteLength": -1' '"byteLength": 0.5' '"byteOffset": -64'; do
     changed "$inside; s/\(\"byteOffset\": 0, \)\(\"byteLength\": 64\)/\1$view/" \
-        "$(echo "$view" | sed "s/\"/'/g; s/:/ is/"): expected a whole number from 0 on" \
+        "bufferViews[0]: $(echo "$view" | sed "s/\"/'/g; s/:/ is/"): expected a whole number from 0 on" \
         "$both" "$texture" "$i"
 done
+
+changed 's/"sparse": {"count": 2/"sparse": {"count": 5/' \
+    'accessors[14].sparse: a sparse accessor has 5 elements: expected 1 to 4' \
+    '"POSITION": 14' "$red" "$i"
+changed 's/"bufferView": 9, "componentType": 5123/"bufferView": 9, "componentType": 5126/' \
+    'accessors[14].sparse: a sparse accessor has indices of componentType 5126: expected 5121, 5123 or 5125' \
+    '"POSITION": 14' "$red" "$i"
+changed 's/"bufferView": 9, "componentType": 5123/"bufferView": 0, "componentType": 5123/' \
+    'accessors[14].sparse: a sparse accessor has the index 49024: expected less than 4' \
+    '"POSITION": 14' "$red" "$i"
 
 # nodes HOW COUNT: that many, of which each is HOW often below the one before.
 nodes() {
@@ -345,8 +361,8 @@ printf '{"asset": {"version": "2.0"}, ' >"$work/a.gltf"
 refused_command "a.gltf: line 1: no JSON" info "$work/a.gltf"
 gltf '"POSITION": 0' "$red" "$i"
 head -c 700 "$work/a.bin" >"$work/b.bin" && mv "$work/b.bin" "$work/a.bin"
-refused_command "a.gltf: buffers[0] has 700 bytes of 704" info "$work/a.gltf"
+refused_command "a.gltf: buffers[0] has 700 bytes: expected 704" info "$work/a.gltf"
 rm "$work/a.bin"
-refused_command "a.gltf: its buffer $work/a.bin cannot be read" info "$work/a.gltf"
+refused_command "a.gltf: its buffer $work/a.bin cannot be read: No such file or directory" info "$work/a.gltf"
 
 [ -e "$work/failed" ] || echo "glTF is read as its specification has it"
