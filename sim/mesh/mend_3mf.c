@@ -13,6 +13,10 @@
 
 #include "sim/cli/list.h"
 
+/* Objects inside of objects; and how often they may be placed in all: each that
+ * has the next one twice doubles that. */
+enum { DEPTH_MAX = 1000, INSTANCES_MAX = 1 << 20 };
+
 struct group {
     long id;
     size_t first, end; /* of the colors */
@@ -49,6 +53,7 @@ struct package {
     struct component *component, *item;
     struct object *object;
     size_t vertices, groups, colors, triangles, components, items, objects;
+    size_t instances;        /* of objects */
     unsigned long colorless; /* triangles whose property is no color */
     bool bad;
 };
@@ -292,18 +297,34 @@ static bool put_triangle(struct package *p, const struct object *o,
     return true;
 }
 
+/* An object that may be placed once more; NULL, with a message. */
+static const struct object *find_object(struct package *p, long id,
+                                        size_t depth)
+{
+    const struct object *o = p->object;
+    const char *wrong = NULL;
+    while (o < p->object + p->objects && o->id != id)
+        o++;
+    if (o == p->object + p->objects)
+        wrong = "object %ld is not there";
+    else if (depth > p->objects)
+        wrong = "object %ld is a part of itself";
+    else if (depth > DEPTH_MAX)
+        wrong = "object %ld is inside of more than 1000 others";
+    else if (++p->instances > INSTANCES_MAX)
+        wrong = "object %ld is one of more than 2^20 that are placed: expected "
+                "fewer components and items";
+    if (wrong)
+        message_error_at(p->m->path, 0, wrong, id);
+    return wrong ? NULL : o;
+}
+
 static bool put_object(struct package *p, long id, const double place[12],
                        size_t depth)
 {
-    const struct object *o = p->object;
-    while (o < p->object + p->objects && o->id != id)
-        o++;
-    if (o == p->object + p->objects || depth > p->objects)
-        return message_error_at(p->m->path, 0,
-                                depth > p->objects
-                                    ? "object %ld is a part of itself"
-                                    : "object %ld is not there",
-                                id);
+    const struct object *o = find_object(p, id, depth);
+    if (!o)
+        return false;
     const struct object *before = o > p->object ? o - 1 : NULL;
     for (size_t i = before ? before->triangles : 0; i < o->triangles; i++)
         if (!put_triangle(p, o, &p->triangle[i], place))

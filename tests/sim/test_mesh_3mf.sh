@@ -99,6 +99,21 @@ refused 'requires the extension http://x/beams, which pel does not have' "$whole
 refused 'object 2 is not there' \
     "<resources>$red</resources><build><item objectid='2'/></build>"
 refused 'object 2 is a part of itself' "<resources><object id='2'><components><component objectid='2'/></components></object></resources><build><item objectid='2'/></build>"
+# chain COUNT COMPONENTS: objects, each in the next one
+chain() {
+    awk -v n="$1" -v c="$2" 'BEGIN {
+        for (i = 2; i <= n; i++) {
+            print "<object id=\"" i "\"><components>"
+            for (k = 0; k < c; k++)
+                print "<component objectid=\"" i - 1 "\"/>"
+            print "</components></object>"
+        }
+    }'
+}
+refused 'object 1 is one of more than 2^20 that are placed: expected fewer' \
+    "<resources>$red$(chain 41 2)</resources><build><item objectid='41'/></build>"
+refused 'object 500 is inside of more than 1000 others' \
+    "<resources>$red$(chain 1500 1)</resources><build><item objectid='1500'/></build>"
 refused 'a triangle of object 1 names a vertex that is out of range' \
     "<resources><object id='1'><mesh>$vertices<triangles><triangle v1='0' v2='1' v3='4'/></triangles></mesh></object></resources>$build"
 refused "'red' is no colour" "<resources><basematerials id='1'><base displaycolor='red'/></basematerials></resources>"
