@@ -72,6 +72,15 @@ static void close_text(struct aiFileIO *io, struct aiFile *file)
     free(file);
 }
 
+/* Ends what was written with a line. False when not all of it has found room.
+ */
+static bool end(FILE *stream, const char *line)
+{
+    fputs(line, stream);
+    const bool whole = !ferror(stream);
+    return fclose(stream) == 0 && whole;
+}
+
 /* The texts stay: the process ends with the file. */
 static const struct aiScene *import(struct mend *m,
                                     bool (*write)(struct mend *), bool *told)
@@ -80,13 +89,19 @@ static const struct aiScene *import(struct mend *m,
     struct aiFileIO io = {open_text, close_text, (aiUserData)&t};
     m->obj = open_memstream(&t.obj, &t.obj_size);
     m->mtl = open_memstream(&t.mtl, &t.mtl_size);
-    *told = !m->obj || !m->mtl || !write(m);
+    *told = true;
+    if (!m->obj || !m->mtl)
+        message_error_at(m->path, 0, "no memory to write it anew");
+    else
+        *told = !write(m);
     if (*told)
         return NULL;
-    fputs("# what pel has written anew of a mesh file\n", m->obj);
-    fputs("# by pel\n", m->mtl);
-    fclose(m->obj);
-    fclose(m->mtl);
+    *told = !end(m->obj, "# what pel has written anew of a mesh file\n") ||
+            !end(m->mtl, "# by pel\n");
+    if (*told) {
+        message_error_at(m->path, 0, "no memory to write it anew");
+        return NULL;
+    }
     return aiImportFileEx("pel.obj", 0, &io);
 }
 
