@@ -85,6 +85,12 @@ char *mend_line(struct mend *m, char **at)
     return line;
 }
 
+int mend_word(const char *text)
+{
+    const size_t n = strcspn(text, " \t");
+    return n < 80 ? (int)n : 80;
+}
+
 int mend_numbers(const struct mend *m, const char *text, double *number, int n)
 {
     int i = 0;
@@ -97,7 +103,7 @@ int mend_numbers(const struct mend *m, const char *text, double *number, int n)
         if (end == text || (*end && !isblank(*end)) || !isfinite(number[i])) {
             message_error_at(m->path, m->line,
                              "'%.*s' is no number: expected one like -1.5e3",
-                             (int)strcspn(text, " \t") % 80, text);
+                             mend_word(text), text);
             return -1;
         }
         text = end;

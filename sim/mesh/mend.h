@@ -66,6 +66,9 @@ char *mend_line(struct mend *m, char **at);
  * something else was there, or a number that is not finite. */
 int mend_numbers(const struct mend *m, const char *text, double *number, int n);
 
+/* The bytes of the word that a text begins with, for a message: 80 at most. */
+int mend_word(const char *text);
+
 /* The path of a file that is named in another one: beside that, with the
  * folders of the name, or without those of another system. malloc'ed, or NULL.
  */

@@ -95,6 +95,12 @@ static bool put_numbers(struct mend *m, const char *word, const char *text)
     double v[3] = {0, 0, 0};
     if (strncmp(text, "-halo", 5) == 0)
         text = next_word(text);
+    if (strncmp(text, "xyz", 3) == 0 || strncmp(text, "spectral", 8) == 0) {
+        message_error_at(m->path, m->line,
+                         "'%s %.60s' is left out: expected red, green and blue",
+                         word, text);
+        return true;
+    }
     if (!is_number(text))
         return message_error_at(m->path, m->line,
                                 "%s has '%.60s': expected numbers", word, text);

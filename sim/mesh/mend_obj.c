@@ -88,7 +88,7 @@ static bool put_face(struct mend *m, const char *text)
             return message_error_at(m->path, m->line,
                                     "'%.*s' is no corner of a face: expected "
                                     "numbers like 1, 1/2, 1//3 or 1/2/3",
-                                    (int)strcspn(word, " \t") % 80, word);
+                                    mend_word(word), word);
         fprintf(m->obj, " %ld", index[0]);
         if (index[1])
             fprintf(m->obj, "/%ld", index[1]);
@@ -136,25 +136,33 @@ static bool put_line(struct mend *m, const char *line)
     return true;
 }
 
-/* Does a vertex have a colour? */
-static bool has_colors(const char *text)
+/* Does a vertex have a colour? Lines are joined in a copy of the text. False,
+ * with a message, when there is no memory for one. */
+static bool find_colors(struct mend *m)
 {
-    for (const char *at = text; at; at = strchr(at, '\n')) {
+    char *text = malloc(m->size + 1), *at = text;
+    struct mend copy = {.text = text};
+    m->colorless = true;
+    if (!text)
+        return message_error_at(m->path, 0, "no memory for its lines");
+    memcpy(text, m->text, m->size + 1);
+    while (at && m->colorless) {
+        const char *word = after(mend_line(&copy, &at), "v");
         int words = 0;
-        at += strspn(at, " \t\r\n");
-        if (*at == 'v' && isblank(at[1]))
-            for (const char *c = at + 1; *c && *c != '\n' && *c != '#'; c++)
-                words += isblank(c[0]) && !isspace((unsigned char)c[1]) &&
-                         c[1] != '#' && c[1];
-        if (words >= 6)
-            return true;
+        for (; word && *word; words++) {
+            word += strcspn(word, " \t");
+            word += strspn(word, " \t");
+        }
+        m->colorless = words < 6;
     }
-    return false;
+    free(text);
+    return true;
 }
 
 bool mend_obj(struct mend *m)
 {
-    m->colorless = !has_colors(m->text);
+    if (!find_colors(m))
+        return false;
     fprintf(m->obj, "mtllib pel.mtl\n");
     for (char *at = m->text; at;) {
         const char *line = mend_line(m, &at);

@@ -73,6 +73,11 @@ colored() { # COLOR NUMBERS: behind the coordinates of all
 colored ff0080 '1 0 .5'
 colored ff00ff '2 -1 1.5'
 colored ff8000 '1 1 .5 0'
+for at in '-1 -1' '1 -1' '1 1' '-1 1'; do
+    printf 'v %s \\\n 0 0 1 \\\n0\n' "$at"
+done >"$work/joined.obj"
+echo 'f 1 2 3 4' >>"$work/joined.obj"
+shows "$work/joined.obj" 00ff00:40,40 00ff00:60,60
 printf 'newmtl m\nKd 0 1 0\n' >"$work/m.mtl"
 printf "mtllib m.mtl\nusemtl m\n$square" | sed '4s/$/ 1 0 0/' >"$work/part.obj"
 echo 'f 1 2 3 4' >>"$work/part.obj"
@@ -128,5 +133,19 @@ told "early.mtl:2: 'map_Kd' before the first newmtl is left out"
 printf 'newmtl m\nKd a b c\n' >"$work/wrong.mtl"
 printf "mtllib wrong.mtl\n${square}f 1 2 3\n" >"$work/wrong.obj"
 refused_command "wrong.mtl:2: Kd has 'a b c': expected numbers" info "$work/wrong.obj"
+
+for curve in 'Ka spectral a.rfl 1' 'Kd xyz .1 .2'; do
+    printf 'newmtl m\n%s\nKd 0 1 0\n' "$curve" >"$work/curve.mtl"
+    printf "mtllib curve.mtl\nusemtl m\n${square}f 1 2 3 4" >"$work/curve.obj"
+    shows "$work/curve.obj" 00ff00:40,40
+    told "curve.mtl:2: '$curve' is left out: expected red, green and blue"
+done
+# Of a long word a message has the beginning.
+word=$(printf '%0160d' 1 | tr 01 xy)
+first=$(printf %.80s "$word")
+for line in "v 1 2 $word" "f 1 2 $word"; do
+    printf "$square$line" >"$work/long.obj"
+    refused_command "long.obj:5: '$first' is no " info "$work/long.obj"
+done
 
 [ -e "$work/failed" ] || echo "OBJ and MTL are read as they are written"
