@@ -108,6 +108,16 @@ static void name_charset(const struct reading *r, char *name, size_t size)
         snprintf(name, size, "%s", charset_of_name(full.u.atom));
 }
 
+/* Outlines with characters of Unicode have no codes to give a meaning to. */
+static bool check_encoding(const struct reading *r)
+{
+    return !r->file->options.encoding || !FT_IS_SCALABLE(r->face) ||
+           FT_Select_Charmap(r->face, FT_ENCODING_UNICODE) != 0 ||
+           message_error_at(r->file->path, 0,
+                            "has the characters of Unicode: expected no "
+                            "--encoding");
+}
+
 /* The map of FreeType's own is Unicode; other codes are those of the font. */
 static bool set_charset(struct reading *r)
 {
@@ -237,7 +247,8 @@ bool font_parse_other(struct font *font, const struct font_file *file)
         return message_error_at(file->path, 0,
                                 "is no font: expected a BDF, PSF, PCF, "
                                 "TrueType, OpenType or WOFF file");
-    if (!set_size(&r) || !set_charset(&r) || !set_lines(&r) || !add_all(&r))
+    if (!set_size(&r) || !check_encoding(&r) || !set_charset(&r) ||
+        !set_lines(&r) || !add_all(&r))
         return false;
     report(&r);
     return true;

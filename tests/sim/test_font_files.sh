@@ -207,6 +207,7 @@ P2
 00000000000011100
 00000000000000000
 EOF
+    refused 'has the characters of Unicode' "$outlines" --encoding koi8-r
     for size in 8 11 24 100 255; do
         lines=$("$PEL" import "$outlines" --codes 32-126 --font-size $size \
             -o "$dir/outline.c" 2>"$dir/err" | sed -n 's/.*lines of \([0-9]*\) px$/\1/p')
