@@ -108,16 +108,21 @@ static bool read_masks(struct bmp *b, uint32_t header, size_t *at)
     return check_masks(b);
 }
 
-/* More colors than there are indices are left out. */
+/* More colors than there are indices, or fit before the rows, are left out. */
 static bool read_palette(struct bmp *b, uint32_t header, size_t at)
 {
     const size_t bytes = header == 12 ? 3 : 4;
+    const uint32_t rows = number(b, 10, 4);
     const uint32_t most = b->bits <= 8 ? 1u << b->bits : 0;
     const uint32_t used = header >= 40 ? number(b, 46, 4) : 0;
+    if (rows < at)
+        return message_error_at(b->from->name, 0,
+                                "a BMP whose rows begin at byte %u: expected "
+                                "%zu or more, behind its headers",
+                                rows, at);
     b->colors = used > 0 && used < most ? used : most;
-    if (header == 12 && at + 3 * most > number(b, 10, 4))
-        b->colors =
-            number(b, 10, 4) > at ? (number(b, 10, 4) - (uint32_t)at) / 3 : 0;
+    if (b->colors > (rows - at) / bytes)
+        b->colors = (uint32_t)((rows - at) / bytes);
     if (at + bytes * b->colors > b->from->size)
         return decode_refuse_end(b->from);
     for (uint32_t i = 0; i < b->colors; i++, at += bytes)

@@ -160,6 +160,35 @@ TEST(bmp_refused)
     }
 }
 
+/* The rows of the picture at `at`, and `used` colours in the header, as far as
+ * it has that. */
+static void make_moved(const struct bmp *from, uint32_t at, uint32_t used,
+                       struct bytes *b)
+{
+    make_bmp(from, b);
+    for (int i = 0; i < 4; i++) {
+        b->at[10 + i] = (unsigned char)(at >> 8 * i);
+        b->at[46 + i] = (unsigned char)(used >> 8 * i);
+    }
+}
+
+/* Where the header does not count the colours, the rows begin behind them. */
+TEST(bmp_palette_before_rows)
+{
+    static const struct bmp four = {"", 40, 8, 0, "", 1, 1, BYTES("\2\0\0\0"),
+                                    ""};
+    static const pel_color color[1] = {0xFF304050};
+    struct bytes b;
+    make_moved(&four, 70, 0, &b);
+    expect(&(struct expected){"four colours", 1, 1, color}, b.at, b.n);
+    make_moved(&four, 62, 4, &b);
+    refused("a pixel has colour 80 of 2", b.at, b.n);
+    make_moved(&four, 0, 4, &b);
+    refused("whose rows begin at byte 0: expected 54 or more", b.at, b.n);
+    make_moved(&four, 53, 4, &b);
+    refused("whose rows begin at byte 53: expected 54 or more", b.at, b.n);
+}
+
 int main(void)
 {
     return run_all_tests();

@@ -77,7 +77,7 @@ static const struct row rows[] = {
     ROW("P8 2 1\n\x80", "must begin with P6, P5, P3 or P2"),
     ROW("P\0006 2 1", "must begin with P6, P5, P3 or P2"),
     ROW("P\000", "must begin with P6, P5, P3 or P2"),
-    ROW("P7\nWIDTH 2", "the header of a PAM has '': expected WIDTH"),
+    ROW("P7\nWIDTH 2", "ends before the line ENDHDR"),
     ROW("p6 2 1 255\n\x0a\x14\x1e\x28\x32\x3c", "must begin with P6"),
     ROW("\x89PNG\r\n\x1a\n", "must begin with P6"),
     /* Width, height, maximum. */
@@ -89,6 +89,9 @@ static const struct row rows[] = {
     ROW("P6 -2 1 255\n", "byte 3: the width must be a number"),
     ROW("P6 2x1 255\n", "byte 4: white space must follow the width"),
     ROW("P6 0 1 255\n", "0 x 1 pixels: width and height must be at least 1"),
+    ROW("P6 32767 8193 255\n", "a picture of 32767 x 8193 pixels: expected 1"),
+    ROW("P7\nWIDTH 1\nHEIGHT 1\nDEPTH 1\nMAXVAL 9\nENDHDR\r\n1",
+        "ENDHDR ends in a carriage return: expected a line feed alone"),
     ROW("P6 1 0 255\n", "1 x 0 pixels: width and height must be at least 1"),
     ROW("P6 32768 1 255\n", "the width is too large: 32767 at most"),
     ROW("P6 1 99999999999999999999 255\n", "the height is too large: 32767"),
