@@ -67,17 +67,28 @@ struct elements {
     bool normalized;
 };
 
+static double stride_of(const struct elements *e)
+{
+    return e->stride > 0 ? e->stride
+                         : (double)(e->components * bytes_of(e->kind));
+}
+
+static const uint8_t *find_bytes(struct gltf *g, const struct elements *e)
+{
+    return gltf_view(g, e->view, e->offset,
+                     stride_of(e) * (double)(e->count - 1) +
+                         (double)(e->components * bytes_of(e->kind)));
+}
+
 static bool read(struct gltf *g, const struct elements *e, double *to)
 {
-    const double packed = (double)(e->components * bytes_of(e->kind));
-    const double stride = e->stride > 0 ? e->stride : packed;
-    const double size = stride * (double)(e->count - 1) + packed;
-    const uint8_t *at = gltf_view(g, e->view, e->offset, size);
+    const size_t stride = (size_t)stride_of(e);
+    const uint8_t *at = find_bytes(g, e);
     for (size_t i = 0; at && i < e->count; i++)
         for (int k = 0; k < e->components; k++)
             to[i * (size_t)e->components + (size_t)k] =
-                number_at(at + (size_t)stride * i + k * bytes_of(e->kind),
-                          e->kind, e->normalized);
+                number_at(at + stride * i + k * bytes_of(e->kind), e->kind,
+                          e->normalized);
     return at;
 }
 
@@ -154,6 +165,8 @@ bool gltf_accessor(struct gltf *g, json_int_t index, struct gltf_array *array)
     if (e.view >= 0)
         e.stride =
             gltf_size(g, gltf_at(g, "bufferViews", e.view), "byteStride");
+    if (!g->good || (e.view >= 0 && !find_bytes(g, &e)))
+        return false; /* before memory is taken for them */
     array->count = e.count;
     array->components = e.components;
     array->number = calloc(e.count * (size_t)e.components, sizeof(double));

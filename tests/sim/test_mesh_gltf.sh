@@ -325,6 +325,10 @@ changed 's/"bufferView": 9, "componentType": 5123/"bufferView": 0, "componentTyp
     'accessors[14].sparse: a sparse accessor has the index 49024: expected less than 4' \
     '"POSITION": 14' "$red" "$i"
 
+changed 's/"count": 6/"count": 268435456/' \
+    'bytes 0 to 536870912 leave bufferViews[2]: expected 64 at most' \
+    '"POSITION": 0' "$red" "$i"
+
 # nodes HOW COUNT: that many, of which each is HOW often below the one before.
 nodes() {
     gltf '"POSITION": 0' "$red" "$i" "$(awk -v how="$1" -v count="$2" 'BEGIN {
