@@ -46,8 +46,8 @@ static int close_limited(void *cookie)
     return file == STDIN_FILENO ? 0 : close(file);
 }
 
-/* A pipe that nobody writes to is opened without waiting. */
-FILE *file_open(const char *path)
+/* A pipe that nobody writes to is opened without waiting. NULL, with errno. */
+static FILE *open_limited(const char *path)
 {
     static const cookie_io_functions_t functions = {.read = read_limited,
                                                     .close = close_limited};
@@ -66,11 +66,54 @@ FILE *file_open(const char *path)
         setvbuf(stream, NULL, _IOFBF, 1 << 16);
         return stream;
     }
-    message_error_at(path, 0, "cannot be read: %s", strerror(errno));
+    const int error = errno;
     free(from);
     if (file > STDIN_FILENO)
         close(file);
+    errno = error;
     return NULL;
+}
+
+FILE *file_open(const char *path)
+{
+    FILE *file = open_limited(path);
+    if (!file)
+        file_refuse(path);
+    return file;
+}
+
+char *file_rest(FILE *file, size_t *size)
+{
+    char *bytes = NULL, *more;
+    size_t room = 1 << 16, n = 0;
+    while ((more = realloc(bytes, room))) {
+        bytes = more;
+        n += fread(bytes + n, 1, room - 1 - n, file);
+        if (n < room - 1)
+            break;
+        room *= 2;
+    }
+    if (more && !ferror(file)) {
+        bytes[n] = '\0';
+        more = realloc(bytes, n + 1);
+        *size = n;
+        return more ? more : bytes;
+    }
+    const int error = more ? errno : ENOMEM;
+    free(bytes);
+    errno = error;
+    return NULL;
+}
+
+char *file_read(const char *path, size_t *size)
+{
+    FILE *file = open_limited(path);
+    char *bytes = file ? file_rest(file, size) : NULL;
+    const int error = errno;
+    if (file)
+        fclose(file);
+    errno = error;
+    return bytes;
 }
 
 bool file_refuse(const char *path)

@@ -11,6 +11,11 @@
  * bytes, than --limit says. NULL, with a message. */
 FILE *file_open(const char *path);
 
+/* All bytes of a file, or what is left of one that is open, malloc'ed and with
+ * a 0 behind the last. NULL without a message, with errno for file_refuse. */
+char *file_read(const char *path, size_t *size);
+char *file_rest(FILE *file, size_t *size);
+
 /* The message of a file whose reading has just failed, from errno. False. */
 bool file_refuse(const char *path);
 

@@ -11,21 +11,8 @@
 
 static bool read_file(struct font_file *file)
 {
-    char chunk[1 << 16];
-    size_t got = 1;
-    FILE *stream = file_open(file->path);
-    if (!stream)
-        return false;
-    FILE *memory = open_memstream(&file->data, &file->size);
-    while (memory && got > 0) {
-        got = fread(chunk, 1, sizeof chunk, stream);
-        fwrite(chunk, 1, got, memory);
-    }
-    bool done = !ferror(stream) || file_refuse(file->path);
-    if (done && (!memory || ferror(memory) || fclose(memory) != 0))
-        done = message_error("out of memory");
-    fclose(stream);
-    return done;
+    file->data = file_read(file->path, &file->size);
+    return file->data || file_refuse(file->path);
 }
 
 static bool begins(const struct font_file *file, const char *bytes, size_t n)

@@ -288,7 +288,7 @@ int decode_bmp_palette(const struct encoded *from, pel_color palette[256])
 {
     struct bmp b;
     if (!read_front(&b, from))
-        return 0;
+        return -1;
     memcpy(palette, b.palette, sizeof(b.palette));
     return (int)b.colors;
 }

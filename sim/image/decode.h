@@ -26,7 +26,8 @@ bool decode_jpeg(struct picture *picture, const struct encoded *from);
  * alpha is 255. */
 bool decode_bmp(struct picture *picture, const struct encoded *from);
 
-/* Their palettes: how many colours, 0 with a message or where there is none. */
+/* Their palettes: how many colours; 0 where there is none; -1 with a message.
+ */
 int decode_png_palette(const struct encoded *from, pel_color palette[256]);
 int decode_bmp_palette(const struct encoded *from, pel_color palette[256]);
 

@@ -128,7 +128,7 @@ int decode_png_palette(const struct encoded *from, pel_color palette[256])
     png_bytep alpha = NULL;
     int n = 0, alphas = 0;
     if (!png || setjmp(png_jmpbuf(png)))
-        return 0;
+        return -1;
     png_read_info(png, info);
     if (png_get_color_type(png, info) == PNG_COLOR_TYPE_PALETTE)
         png_get_PLTE(png, info, &color, &n);
@@ -153,7 +153,7 @@ int decode_png_palette(const struct encoded *from, pel_color palette[256])
 {
     struct picture none;
     (void)palette;
-    return decode_png(&none, from);
+    return decode_png(&none, from) ? 0 : -1;
 }
 
 #endif

@@ -138,8 +138,10 @@ static bool order(struct picture *p, const struct pel_format *format)
     struct canvas canvas;
     struct picture shown;
     if (pel_texture_init_nearest(&texture, &texels, &from_corner) != PEL_OK ||
-        pel_dither_init(&dither, &texture.base.paint) != PEL_OK ||
-        !canvas_init(&canvas, format, p->width, p->height))
+        pel_dither_init(&dither, &texture.base.paint) != PEL_OK)
+        return message_error("a picture of %d x %d pixels cannot be dithered",
+                             p->width, p->height);
+    if (!canvas_init(&canvas, format, p->width, p->height))
         return false;
     pel_box(&canvas.surface, &whole, &dither.paint);
     const bool done = canvas_picture(&canvas, &shown);

@@ -146,20 +146,8 @@ static bool decode_any(struct picture *picture, const struct encoded *from)
 /* All bytes of a file. */
 static bool read_bytes(struct encoded *from, FILE *file)
 {
-    size_t room = 1 << 16, n = 0;
-    uint8_t *bytes = NULL;
-    bool good = true;
-    while (good && !feof(file)) {
-        uint8_t *more = realloc(bytes, room);
-        good = more;
-        bytes = more ? more : bytes;
-        n += more ? fread(more + n, 1, room - n, file) : 0;
-        good = good && !ferror(file);
-        room *= 2;
-    }
-    from->bytes = bytes;
-    from->size = n;
-    return good || file_refuse(from->name);
+    from->bytes = (const uint8_t *)file_rest(file, &from->size);
+    return from->bytes || file_refuse(from->name);
 }
 
 /* A PPM is read from the stream, which need not be in memory; the others are
@@ -228,7 +216,8 @@ bool texture_load(struct picture *picture, const char *path)
     return load(picture, &(struct encoded){path, NULL, 0});
 }
 
-/* Writes the number of colours, an int, and 256 colours. */
+/* Writes the number of colours, an int, and 256 colours. False with a message,
+ * also where there is no palette. */
 static bool put_palette(const void *what, FILE *out)
 {
     struct encoded from = *(const struct encoded *)what;
@@ -239,6 +228,11 @@ static bool put_palette(const void *what, FILE *out)
     const int n = begins(&from, "\x89PNG") ? decode_png_palette(&from, palette)
                   : begins(&from, "BM")    ? decode_bmp_palette(&from, palette)
                                            : 0;
+    if (n <= 0)
+        return n == 0 &&
+               message_error_at(from.name, 0,
+                                "has no palette of its own: expected a PNG "
+                                "or BMP with one");
     fwrite(&n, sizeof n, 1, out);
     fwrite(palette, sizeof palette, 1, out);
     return true;
@@ -253,10 +247,6 @@ int texture_load_palette(const char *path, pel_color palette[256])
         n = 0;
     if (in)
         fclose(in);
-    if (n == 0)
-        message_error_at(path, 0,
-                         "has no palette of its own: expected a PNG "
-                         "or BMP with one");
     return n;
 }
 

@@ -7,22 +7,13 @@
 #include <unistd.h>
 
 #include "sim/cli/message.h"
+#include "sim/cli/text_line.h"
 
 bool mend_read(struct mend *m, const char *path)
 {
-    FILE *file = fopen(path, "rb"), *out;
-    char part[65536];
-    size_t n;
-    m->text = NULL;
     m->line = 0;
-    if (!file)
-        return false;
-    out = open_memstream(&m->text, &m->size);
-    while (out && (n = fread(part, 1, sizeof(part), file)) > 0)
-        fwrite(part, 1, n, out);
-    const bool good = out && !ferror(file) && fclose(out) == 0;
-    fclose(file);
-    return good;
+    m->text = file_read(file_named(path), &m->size);
+    return m->text;
 }
 
 bool mend_read_lines(struct mend *m, const char *path)

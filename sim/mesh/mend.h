@@ -50,7 +50,8 @@ void mend_face(struct mend *m, long corners, const struct mend_corner *like);
 /* The lines of a material file beside the mesh. */
 bool mend_mtl(struct mend *m, const char *name);
 
-/* Reads a file into text and size. False without a message. */
+/* Reads a file into text and size, within the limits. False without a message,
+ * with errno for file_refuse. */
 bool mend_read(struct mend *m, const char *path);
 
 /* The same of a text, whose lines end as they do on any system. */

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "sim/cli/message.h"
+#include "sim/cli/text_line.h"
 #include "sim/image/picture.h"
 
 static size_t read_part(struct aiFile *file, char *to, size_t size, size_t n)
@@ -129,12 +130,17 @@ const struct aiScene *mend_import(const char *path, bool *told)
                  {NULL, NULL, NULL}};
     struct mend m = {.path = path};
     *told = false;
-    for (int i = 0; kinds[i].ending; i++)
-        if (path_has_ending(path, kinds[i].ending) &&
-            (kinds[i].wanted == is_text ? mend_read_lines : mend_read)(&m,
-                                                                       path) &&
-            kinds[i].wanted(&m))
-            return import(&m, kinds[i].write, told);
+    int i = 0;
+    while (kinds[i].ending && !path_has_ending(path, kinds[i].ending))
+        i++;
+    if (kinds[i].ending) {
+        *told = !(kinds[i].wanted == is_text ? mend_read_lines
+                                             : mend_read)(&m, path);
+        if (*told)
+            file_refuse(path);
+        if (*told || kinds[i].wanted(&m))
+            return *told ? NULL : import(&m, kinds[i].write, told);
+    }
     return aiImportFile(path, 0);
 }
 

@@ -155,6 +155,21 @@ timeout 10 "$PEL" import many.ppm -o out.c 2>err && fail "many.ppm is read"
 grep -qF 'pel: many.ppm: a picture of 32767 x 9000 pixels: expected 1 to' err ||
     fail "many.ppm: $(cat err)"
 
+# What has no end, as a mesh, a font, a picture and a buffer of glTF.
+for name in zero.obj zero.ply zero.bdf zero.png; do
+    ln -s /dev/zero $name
+    rm -f out.c
+    timeout 10 "$PEL" import $name -o out.c --limit 60,50 >out 2>err
+    status=$?
+    [ $status = 2 ] && [ "$(wc -l <err)" = 1 ] && grep -qF "pel: $name: " err ||
+        fail "$name: status $status, $(cat err)"
+done
+printf '{"asset": {"version": "2.0"}, "buffers": [{"uri": "/dev/zero", "byteLength": 36}], "bufferViews": [{"buffer": 0, "byteLength": 36}], "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}], "scene": 0}' \
+    >zero.gltf
+timeout 10 "$PEL" info zero.gltf --limit 60,50 >out 2>err
+status=$?
+[ $status = 2 ] || fail "a buffer without an end: status $status, $(cat err)"
+
 # A name - in a file is that of a file, and no standard input.
 printf 'P3 1 1 255 255 0 0\n' >red.ppm
 printf 'canvas 8 8 xrgb8888\nimage 0 0 -\n' >dash.pel
