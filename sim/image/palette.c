@@ -101,11 +101,11 @@ static pel_color mean_of(const struct part *part)
     return color;
 }
 
-static double distance(pel_color a, pel_color b)
+static int distance(pel_color a, pel_color b)
 {
-    double sum = 0;
+    int sum = 0;
     for (int k = 0; k < 4; k++) {
-        const double d = channel(a, k) - channel(b, k);
+        const int d = (int)(a >> 8 * k & 255) - (int)(b >> 8 * k & 255);
         sum += d * d;
     }
     return sum;
@@ -113,10 +113,12 @@ static double distance(pel_color a, pel_color b)
 
 static int nearest(pel_color color, const pel_color *palette, int n)
 {
-    int best = 0;
-    for (int i = 1; i < n; i++)
-        if (distance(color, palette[i]) < distance(color, palette[best]))
-            best = i;
+    int best = 0, least = distance(color, palette[0]);
+    for (int i = 1; i < n; i++) {
+        const int d = distance(color, palette[i]);
+        best = d < least ? i : best;
+        least = d < least ? d : least;
+    }
     return best;
 }
 
