@@ -109,11 +109,11 @@ void pel_thick_line(const struct pel_surface *surface,
                     const struct pel_paint *paint)
 {
     struct pel_point v[4];
+    PEL_HINT(pel_thick_line_in_subpixels(line));
     if (pel_thick_line_legal(line) && !is_visible(surface, line))
         return;
     bool legal = pel_thick_line_corners(line, v);
     PEL_ASSERT(legal);
-    PEL_HINT(!legal || pel_in_subpixels(v, 4, 0));
     if (legal)
         fill(surface, v, paint);
 }

@@ -27,6 +27,14 @@ static inline bool pel_thick_line_legal(const struct pel_thick_line_shape *line)
            pel_radius_legal(line->width);
 }
 
+/* For PEL_HINT: pel_in_subpixels of a line. */
+static inline bool pel_thick_line_in_subpixels(
+    const struct pel_thick_line_shape *line)
+{
+    const struct pel_point ends[2] = {line->from, line->to};
+    return pel_in_subpixels(ends, 2, line->width);
+}
+
 /* A box around the corners, in sub-pixels, of a line that is legal so. */
 static inline struct pel_rect pel_thick_line_box(
     const struct pel_thick_line_shape *line)

@@ -33,11 +33,11 @@ static void paint_line(const struct pel_surface *surface,
                        const struct pel_paint *paint)
 {
     struct pel_point v[4];
+    PEL_HINT(pel_thick_line_in_subpixels(line));
     if (pel_thick_line_legal(line) && !is_seen(line, &surface->clip))
         return;
     const bool legal = corners_of(line, square, v);
     PEL_ASSERT(legal);
-    PEL_HINT(!legal || pel_in_subpixels(v, 4, 0));
     if (legal)
         pel_smooth_convex(surface, v, 4, paint);
 }

@@ -69,8 +69,7 @@ void pel_smooth_thick_line_round(const struct pel_surface *surface,
     struct pel_smooth_path path;
     const bool legal = pel_thick_line_legal(line);
     PEL_ASSERT(legal);
-    PEL_HINT(pel_in_subpixels((struct pel_point[2]){line->from, line->to}, 2,
-                              line->width));
+    PEL_HINT(pel_thick_line_in_subpixels(line));
     if (legal && line->width > 1 &&
         pel_smooth_path_begin(&path, surface, paint))
         paint_line(&path, line);

@@ -108,8 +108,8 @@ static const struct row rows[] = {
     ROW("P6 2 1 255\n", "byte 11: ends in row 1 of 1"),
     ROW("P6 2 1 255\n\x0a\x14\x1e\x28\x32", "byte 16: ends in row 1 of 1"),
     ROW("P6 2 3 255\n\x0a\x14\x1e\x28\x32\x3c", "ends in row 2 of 3"),
-    ROW("P6 32767 32767 255\n\x0a", "byte 20: ends in row 1 of 32767"),
-    ROW("P5 32767 32767 255\n\x0a", "byte 20: ends in row 1 of 32767"),
+    ROW("P6 32767 8192 255\n\x0a", "byte 19: ends in row 1 of 8192"),
+    ROW("P5 32767 8192 255\n\x0a", "byte 19: ends in row 1 of 8192"),
     ROW("P6 2 1 255\n\x0a\x14\x1e\x28\x32\x3c\n", NULL),
     ROW("P6 2 1 255\n\x0a\x14\x1e\x28\x32\x3c\n1", "byte 18: the picture"),
     ROW("P6 2 1 255\r\n\x0a\x14\x1e\x28\x32\x3c", "byte 17: the picture of"),
@@ -118,7 +118,7 @@ static const struct row rows[] = {
     ROW("P3 2 1 255\n10 20 30\n40 50 6a", ":3: byte 27: white space"),
     ROW("P3 2 1 255\n10 20 30\n40 50 -1", ":3: byte 26: the sample must be"),
     ROW("P3 2 1 255\n10 20 30 40 50 60\n70", ":3: byte 29: the picture of"),
-    ROW("P3 32767 32767 255\n1 2 3", ":2: ends before the sample"),
+    ROW("P3 32767 8192 255\n1 2 3", ":2: ends before the sample"),
     ROW("P2 2 1 255\n10\0 40", ":2: byte 13: white space"),
 };
 
