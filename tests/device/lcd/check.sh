@@ -14,7 +14,7 @@ for board; do
     bad=0
     screens=$build/lcd/$board
     rm -rf "$screens" && mkdir "$screens"
-    "$build/linux/vm" "$screens" 60 qemu-system-arm -M "$board" -display none \
+    "$build/linux/vm" "$screens" 60 false qemu-system-arm -M "$board" -display none \
         -serial stdio -kernel "$build/lcd/$board.elf" 2>"$screens/messages" || {
         echo "check-lcd: $board: status $?" >&2
         cat "$screens/messages"
