@@ -177,9 +177,9 @@ static bool read_row(const struct bmp *b, const uint8_t *from, pel_color *to)
             to[x] =
                 color_of(b, bytes_little(from + b->bits / 8 * x, b->bits / 8));
         else if (!set_index(b, &to[x],
-                            from[x * b->bits / 8] >>
+                            (uint32_t)from[x * b->bits / 8] >>
                                     (8 - b->bits - x * b->bits % 8) &
-                                ((1 << b->bits) - 1)))
+                                ((UINT32_C(1) << b->bits) - 1)))
             return false;
     return true;
 }

@@ -6,7 +6,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     struct font font = {.missing = -1};
     struct pel_font_asset asset;
-    const struct font_file file = {"fuzz.bdf", fuzz_text(data, size), size};
+    const struct font_file file = {
+        .path = "fuzz.bdf", .data = fuzz_text(data, size), .size = size};
     if (font_parse_bdf(&font, &file) && font_asset_make(&asset, &font, "fuzz"))
         font_asset_free(&asset);
     font_free(&font);

