@@ -170,10 +170,10 @@ int32_t pel_smooth_path_next(const struct pel_smooth_path *path, int32_t y,
     int32_t i = ++id >> 3, k = id & 7;
     for (; i < path->bows; i++, k = 0)
         if (k < path->bow[i].count && path->bow[i].v[0] != path->bow[i].v[1])
-            return i << 3 | k;
+            return i * 8 + k;
     for (; i == path->bows && k < path->lines; k++)
         if (path->line[k].first <= y && y <= path->line[k].last)
-            return i << 3 | k;
+            return i * 8 + k;
     return -1;
 }
 
