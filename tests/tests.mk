@@ -97,9 +97,10 @@ CHECK_SCALE_assert := 100
 CHECK_SCALE_small := 5
 CHECK_SCALE_large := 5
 
-# A line of the list of tests/support/run.sh: name, command. The slow ones come
-# first, so that no CPU is idle at the end. Targets of CHECK_EXTRA share objects
-# of one folder, so one make at a time runs them.
+# A line of the list of tests/support/run.sh: name, command. Targets of
+# CHECK_EXTRA share objects of one folder, so one make at a time runs them, and
+# has all CPUs.
+TEST_MAKE = $(MAKE) -j$(LINUX_JOBS) --no-print-directory WERROR=-Werror BUILD=$(BUILD)
 define NEWLINE
 
 
@@ -115,7 +116,7 @@ CHECK_LINES = $(foreach b,$(TEST_BUILDS),$(call test_lines_of,$b)) \
     $(foreach p,$(TEST_SIM),$(call test_line,$(p:tests/%=%),$(p:tests/%=$(T)/%))) \
     $(test_scripts) \
     $(foreach t,$(CHECK_EXTRA),$(call \
-        test_line,$t,flock $(T)/check.lock $(MAKE) --no-print-directory WERROR=-Werror BUILD=$(BUILD) $t))
+        test_line,make $t,$(TEST_MAKE) $t))
 
 .PHONY: check deep goldens tests
 tests deep: WERROR := -Werror
@@ -140,8 +141,8 @@ DEEP_PROGRAMS := $(TEST_PROPERTY:%=$(T)/host/%) \
 deep: $(DEEP_PROGRAMS) ## the long sweeps: 10^8 triangles, all CPUs; half an hour
 	@mkdir -p $(T)/deep
 	@seed=$${PEL_SEED:-$$(date +%s)}; echo "PEL_SEED=$$seed"; \
-	for t in $(DEEP_EXTRA); do printf '%s\t%s\n' "$$t" \
-	    "flock $(T)/check.lock $(MAKE) --no-print-directory WERROR=-Werror BUILD=$(BUILD) $$t"; \
+	for t in $(DEEP_EXTRA); do printf '%s\t%s\n' "make $$t" \
+	    "$(TEST_MAKE) $$t"; \
 	done >$(T)/deep.list; \
 	for b in host portable; do for i in $(DEEP_PARTS); do \
 	    printf '%s\t%s\n' "test_raster_triangles $$b $$i" "PEL_SEED=$$seed$$i \

@@ -11,7 +11,7 @@ FUZZ_SIM := $(patsubst tests/fuzz/fuzz_%.c,%,$(shell \
 
 FUZZ_SUPPORT_api := tests/support/any_kinds.c
 
-# clang  with libFuzzer      gcc  with replay.c
+# clang  with libFuzzer      gcc  with replay.c, and core as test build `san`
 FUZZ_CC_clang := clang
 FUZZ_CC_gcc := $(CC)
 FUZZ_FLAGS_clang := -O1 -g -fno-sanitize-recover=all \
@@ -26,20 +26,23 @@ $(F)/$1/%.o: %.c
 	@mkdir -p $$(@D)
 	$$(FUZZ_CC_$1) $$(PEL_CFLAGS) -D_POSIX_C_SOURCE=200809L $$(if $$(filter-out core/% tests/%,$$<),\
 	    $$(SIM_FLAGS) $$(LINUX_FLAGS)) $$(FUZZ_FLAGS_$1) -c $$< -o $$@
-$(F)/$1/libpel.a: $(CORE:%.c=$(F)/$1/%.o)
-	rm -f $$@
-	$$(AR) rcs $$@ $$^
 $(F)/$1/libsim.a: $(patsubst $(BUILD)/%,$(F)/$1/%,$(TEST_SIM_OBJECTS))
 	rm -f $$@
 	$$(AR) rcs $$@ $$^
 -include $$(wildcard $(F)/$1/*/*.d $(F)/$1/*/*/*.d)
 endef
 
+FUZZ_CORE_clang := $(F)/clang/libpel.a
+FUZZ_CORE_gcc := $(T)/san/libpel.a
+$(F)/clang/libpel.a: $(CORE:%.c=$(F)/clang/%.o)
+	rm -f $@
+	$(AR) rcs $@ $^
+
 # $1 compiler, $2 name
 define fuzz_program
 $(F)/$1/$2: $(patsubst %.c,$(F)/$1/%.o,tests/fuzz/fuzz_$2.c \
     $(wildcard tests/fuzz/$2_*.c) $(FUZZ_SUPPORT_$2) $(if $(filter gcc,$1),tests/fuzz/replay.c)) \
-    $(if $(filter $2,$(FUZZ_SIM)),$(F)/$1/libsim.a) $(F)/$1/libpel.a
+    $(if $(filter $2,$(FUZZ_SIM)),$(F)/$1/libsim.a) $(FUZZ_CORE_$1)
 	$$(FUZZ_CC_$1) $$(FUZZ_LINK_$1) $$^ \
 	    $(if $(filter $2,$(FUZZ_SIM)),$(SIM_LIBS) $(LINUX_LIBS)) -o $$@
 endef

@@ -88,24 +88,23 @@ compare() { # NAME SCENE FORMAT WIDTH HEIGHT DAC_BITS
     esac
 }
 
-# A view's pictures and screens are those of its record, drawn again: a picture
-# is the frame at which key w (119) was pressed.
+# A view's pictures and screens are those of its record, drawn again: each is
+# written at key w (119), before what else came with the same frame.
 replay() { # NAME
     last=$(tail -n 1 "$share/$1/record" | cut -d' ' -f1)
     "$build/../pel" view figures --still --size 160x120 --headless \
         -o "$share/replay" --frames $((last + 1)) \
         --replay "$share/$1/record" || return
     shots=0
-    for frame in $(awk '$2 == "key" && $3 == 119 && $4 == "down" { print $1 }' \
-        "$share/$1/record"); do
+    while [ -f "$share/replay/view-00$((shots + 1)).ppm" ]; do
         shots=$((shots + 1))
-        mv "$share/replay/frame-$(printf %04d "$frame").ppm" \
-            "$share/$1/shot-$shots.ppm"
+        mv "$share/replay/view-00$shots.ppm" "$share/$1/shot-$shots.ppm"
         "$build/../pel" compare "$share/$1/shot-$shots.ppm" \
             "$share/$1/view-00$shots".* || return
     done
     rm -r "$share/replay"
-    [ "$shots" = "$(cksum "$share/$1"/view-00* | sort -u -k 1,1 | wc -l)" ]
+    [ "$shots" = "$(grep -c ' key 119 down ' "$share/$1/record")" ] &&
+        [ "$shots" = "$(cksum "$share/$1"/view-00* | sort -u -k 1,1 | wc -l)" ]
 }
 
 # The screen of a view, with the cross of its pointer.

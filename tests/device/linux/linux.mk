@@ -31,7 +31,9 @@ comma := ,
 # The guest's programs bring their libraries along; readers of pictures and
 # meshes stay out.
 .PHONY: check-linux linux-image linux-static
-linux-static:
+linux-static: $(BUILD)/libpel.a
+	@mkdir -p $(LINUX_STATIC)
+	@cp -a $(BUILD)/core $(BUILD)/libpel.a $(LINUX_STATIC)/
 	+@$(MAKE) --no-print-directory BUILD=$(LINUX_STATIC) SIM_PACKAGES= \
 	    LDFLAGS='$(LINUX_STATIC_FLAGS)' $(LINUX_STATIC)/pel
 
