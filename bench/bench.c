@@ -7,7 +7,7 @@
 
 #include "report.h"
 
-enum { WORKLOADS_MAX = 80 };
+enum { WORKLOADS_MAX = 100 };
 
 struct options {
     struct measure_options measure;

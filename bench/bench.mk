@@ -60,10 +60,8 @@ endif
 endef
 $(eval $(call bench_peer,allegro,allegro,liballegro4-dev))
 $(eval $(call bench_peer,sdl2,sdl2,libsdl2-dev))
-$(eval $(call bench_peer,sdl2_gfx,SDL2_gfx,libsdl2-gfx-dev))
 $(eval $(call bench_peer,cairo,cairo,libcairo2-dev))
 $(eval $(call bench_peer,pixman,pixman-1,libpixman-1-dev))
-$(eval $(call bench_peer,gd,gdlib,libgd-dev))
 $(eval $(call bench_peer,osmesa,osmesa,libosmesa6-dev))
 
 # The same for libraries without a C interface: one C++ file each.

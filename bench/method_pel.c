@@ -82,6 +82,31 @@ static void draw_lines(const struct job *job, const struct item *item, int n)
     }
 }
 
+static void draw_clears(const struct job *job, const struct item *item, int n)
+{
+    for (; n > 0; n--, item++)
+        pel_clear(&job->surface, item->color[0]);
+}
+
+static void draw_boxes(const struct job *job, const struct item *item, int n)
+{
+    for (; n > 0; n--, item++) {
+        const struct pel_flat flat = PEL_FLAT(item->color[0]);
+        pel_rectangle(&job->surface, item->v[0], item->v[1], &flat.paint);
+    }
+}
+
+static void draw_rounded(const struct job *job, const struct item *item, int n)
+{
+    struct pel_rounded_shape shape = {.radius = PEL_PX(ROUNDED_RADIUS)};
+    for (; n > 0; n--, item++) {
+        const struct pel_flat flat = PEL_FLAT(item->color[0]);
+        shape.from = item->v[0];
+        shape.to = item->v[1];
+        pel_rounded_rectangle(&job->surface, &shape, &flat.paint);
+    }
+}
+
 static void draw_screen(const struct job *job, const struct item *item, int n)
 {
     for (; n > 0; n--, item++)
@@ -152,7 +177,11 @@ static void (*draw_of(const struct workload *w))(const struct job *,
     case FORM_LINE:
         return draw_lines;
     case FORM_SCREEN:
-        return draw_screen;
+        return w->paint == PAINT_FLAT ? draw_clears : draw_screen;
+    case FORM_BOX:
+        return draw_boxes;
+    case FORM_ROUNDED:
+        return draw_rounded;
     case FORM_COPY:
         return draw_copies;
     case FORM_TEXT:
@@ -236,14 +265,17 @@ static void set_picture(struct pel_surface *picture,
         format->put(picture, 0, y, side, color + y * side);
 }
 
-/* In the canvas's own format, but for sprites with alpha. */
+/* In the canvas's own format, but for sprites with alpha and of other ones. */
 static void set_pictures(struct job *job, const struct workload *w)
 {
     const uint32_t *sprite = workload_sprite(w->paint);
     const bool alpha = w->paint == PAINT_COPY_ALPHA;
     set_picture(&job->texture, job->surface.format, TEXTURE_SIDE,
                 workload_texture());
-    set_picture(&job->sprite, alpha ? &pel_argb8888 : job->surface.format,
+    set_picture(&job->sprite,
+                alpha                       ? &pel_argb8888
+                : w->paint == PAINT_CONVERT ? &pel_xrgb8888
+                                            : job->surface.format,
                 SPRITE_SIDE, sprite);
     if (alpha) /* what is drawn into argb8888 is opaque */
         memcpy(job->sprite.pixels, sprite, SPRITE_SIDE * SPRITE_SIDE * 4);
@@ -262,7 +294,7 @@ static void *open_job(const struct workload *w, const struct canvas *c)
     job->item = method_allocate(w->count, sizeof *job->item);
     for (int i = 0; i < w->count; i++)
         job->item[i] = item_of(w, &w->shape[i]);
-    if (w->form == FORM_SCREEN)
+    if (w->form == FORM_SCREEN && w->paint != PAINT_FLAT)
         set_gradient(job, w);
     set_pictures(job, w);
     job->radius = PEL_PX(w->size);

@@ -6,6 +6,7 @@
 #include <agg_pixfmt_rgba.h>
 #include <agg_rasterizer_scanline_aa.h>
 #include <agg_renderer_scanline.h>
+#include <agg_rounded_rect.h>
 #include <agg_scanline_bin.h>
 #include <agg_span_allocator.h>
 #include <agg_span_gouraud_rgba.h>
@@ -116,7 +117,11 @@ static void set_outline(struct job *job, const struct shape *s)
     const struct workload *w = job->workload;
     const int n = workload_vertices(w);
     job->rasterizer.reset();
-    if (w->form == FORM_SCREEN) {
+    if (w->form == FORM_ROUNDED) {
+        agg::rounded_rect box(s->x[0], s->y[0], s->x[1], s->y[1],
+                              ROUNDED_RADIUS);
+        job->rasterizer.add_path(box);
+    } else if (w->form == FORM_SCREEN) {
         job->rasterizer.move_to_d(0, 0);
         job->rasterizer.line_to_d(s->x[1], 0);
         job->rasterizer.line_to_d(s->x[1], s->y[1]);
@@ -132,6 +137,12 @@ template <class Base>
 static void draw_shape(struct job *job, Base &base, const struct shape *s)
 {
     const struct workload *w = job->workload;
+    if (w->paint == PAINT_FLAT &&
+        (w->form == FORM_BOX || w->form == FORM_SCREEN)) {
+        base.copy_bar(s->x[0], s->y[0], s->x[1] - 1, s->y[1] - 1,
+                      color_of(s->color[0]));
+        return;
+    }
     set_outline(job, s);
     if (w->form == FORM_SCREEN) {
         fill_screen(job, base, s);
@@ -160,10 +171,10 @@ template <class Pixels> static void draw_on(struct job *job, int first, int n)
 
 static void *open_job(const struct workload *w, const struct canvas *c)
 {
-    if (w->form > FORM_SCREEN || w->form == FORM_CIRCLE ||
-        w->form == FORM_LINE || w->paint == PAINT_DITHERED ||
-        w->paint == PAINT_FAN || w->paint == PAINT_RADIAL_STOPS ||
-        w->paint == PAINT_CONIC_STOPS)
+    if (w->form == FORM_COPY || w->form == FORM_TEXT ||
+        w->form == FORM_CIRCLE || w->form == FORM_LINE ||
+        w->paint == PAINT_DITHERED || w->paint == PAINT_FAN ||
+        w->paint == PAINT_RADIAL_STOPS || w->paint == PAINT_CONIC_STOPS)
         return nullptr;
     struct job *job = new struct job;
     const uint32_t *end = w->shape[0].color;

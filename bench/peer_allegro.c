@@ -71,6 +71,15 @@ static void draw_lines(BITMAP *bitmap, struct item *item, int n, int radius)
     }
 }
 
+static void draw_boxes(BITMAP *bitmap, struct item *item, int n, int radius)
+{
+    (void)radius;
+    for (; n > 0; n--, item++) {
+        const int *p = item->point;
+        rectfill(bitmap, p[0], p[1], p[2] - 1, p[3] - 1, item->color);
+    }
+}
+
 static void draw_copies(BITMAP *bitmap, struct item *item, int n, int radius)
 {
     (void)radius;
@@ -107,9 +116,11 @@ static void choose(struct job *job, const struct workload *w)
     if (w->form == FORM_TEXT)
         job->draw = draw_text;
     else if (w->form == FORM_COPY)
-        job->draw = w->paint == PAINT_COPY    ? draw_copies
+        job->draw = w->paint <= PAINT_CONVERT ? draw_copies
                     : w->paint == PAINT_KEYED ? draw_keyed
                                               : draw_alpha;
+    else if (w->form == FORM_BOX || w->form == FORM_SCREEN)
+        job->draw = draw_boxes;
     else if (w->form == FORM_CIRCLE)
         job->draw = draw_circles;
     else if (w->form == FORM_POLYGON)
@@ -181,13 +192,14 @@ static BITMAP *texture_of(const struct workload *w, int depth)
     if (w->form != FORM_COPY)
         return picture_of(workload_texture(), TEXTURE_SIDE, depth, false);
     return picture_of(workload_sprite(w->paint), SPRITE_SIDE,
-                      alpha ? 32 : depth, alpha);
+                      alpha || w->paint == PAINT_CONVERT ? 32 : depth, alpha);
 }
 
 /* No gradients but Gouraud's, and no bilinear textures. */
 static bool can_draw(const struct workload *w)
 {
-    return w->form != FORM_SCREEN && w->paint != PAINT_BILINEAR;
+    return w->form != FORM_ROUNDED && w->paint != PAINT_BILINEAR &&
+           (w->form != FORM_SCREEN || w->paint == PAINT_FLAT);
 }
 
 static void *open_job(const struct workload *w, const struct canvas *c)

@@ -29,6 +29,24 @@ static void add_stop(cairo_pattern_t *pattern, double at, uint32_t color)
                                      (color & 255) / 255.0);
 }
 
+/* A rectangle, with round corners or without. */
+static void draw_box(cairo_t *cairo, const struct shape *s, bool is_rounded)
+{
+    const double r = ROUNDED_RADIUS;
+    const double x0 = s->x[0], y0 = s->y[0], x1 = s->x[1], y1 = s->y[1];
+    if (is_rounded) {
+        cairo_new_sub_path(cairo);
+        cairo_arc(cairo, x1 - r, y0 + r, r, -M_PI / 2, 0);
+        cairo_arc(cairo, x1 - r, y1 - r, r, 0, M_PI / 2);
+        cairo_arc(cairo, x0 + r, y1 - r, r, M_PI / 2, M_PI);
+        cairo_arc(cairo, x0 + r, y0 + r, r, M_PI, M_PI * 3 / 2);
+        cairo_close_path(cairo);
+    } else {
+        cairo_rectangle(cairo, x0, y0, x1 - x0, y1 - y0);
+    }
+    cairo_fill(cairo);
+}
+
 static cairo_pattern_t *gradient_of(const struct workload *w)
 {
     const struct shape *s = w->shape;
@@ -60,7 +78,7 @@ static void *open_job(const struct workload *w, const struct canvas *c)
     cairo_set_antialias(job->cairo, CAIRO_ANTIALIAS_NONE);
     cairo_set_line_width(job->cairo, 1);
     cairo_set_line_cap(job->cairo, CAIRO_LINE_CAP_SQUARE);
-    if (w->form == FORM_SCREEN) {
+    if (w->form == FORM_SCREEN && w->paint != PAINT_FLAT) {
         job->pattern = gradient_of(w);
         cairo_set_source(job->cairo, job->pattern);
     }
@@ -109,8 +127,10 @@ static void draw(void *data, int first, int n)
     for (; n > 0; n--, s++) {
         if (!job->pattern)
             set_color(job, s);
-        if (job->pattern)
+        if (w->form == FORM_SCREEN)
             cairo_paint(job->cairo);
+        else if (w->form == FORM_BOX || w->form == FORM_ROUNDED)
+            draw_box(job->cairo, s, w->form == FORM_ROUNDED);
         else if (w->form == FORM_CIRCLE)
             draw_circle(job->cairo, s, w->size);
         else if (w->form == FORM_LINE)

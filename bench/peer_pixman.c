@@ -21,6 +21,8 @@ static bool can_draw(const struct workload *w)
         return w->paint != PAINT_FAN;
     case FORM_COPY:
         return w->paint != PAINT_KEYED;
+    case FORM_BOX:
+        return true;
     case FORM_TRIANGLE:
     case FORM_SLIVER:
         return w->paint != PAINT_GOURAUD;
@@ -117,8 +119,11 @@ static pixman_image_t *sprite_of(enum paint paint, pixman_format_code_t canvas)
     const bool alpha = paint == PAINT_COPY_ALPHA;
     pixman_image_t *from = picture_of(pixels, SPRITE_SIDE, PIXMAN_x8r8g8b8);
     pixman_image_t *mask = picture_of(pixels, SPRITE_SIDE, PIXMAN_a8r8g8b8);
-    pixman_image_t *to = checked(pixman_image_create_bits(
-        alpha ? PIXMAN_a8r8g8b8 : canvas, SPRITE_SIDE, SPRITE_SIDE, NULL, 0));
+    pixman_image_t *to = checked(
+        pixman_image_create_bits(alpha                    ? PIXMAN_a8r8g8b8
+                                 : paint == PAINT_CONVERT ? PIXMAN_x8r8g8b8
+                                                          : canvas,
+                                 SPRITE_SIDE, SPRITE_SIDE, NULL, 0));
     pixman_image_composite32(PIXMAN_OP_SRC, from, mask, to, 0, 0, 0, 0, 0, 0,
                              SPRITE_SIDE, SPRITE_SIDE);
     pixman_image_unref(from);
@@ -131,7 +136,7 @@ static pixman_image_t *source_of(const struct job *job, const struct shape *s)
     const struct workload *w = job->workload;
     const pixman_color_t color =
         color_of(s->color[0], w->paint == PAINT_ALPHA ? WORKLOAD_ALPHA : 255);
-    if (w->form == FORM_SCREEN)
+    if (w->form == FORM_SCREEN && w->paint != PAINT_FLAT)
         return gradient_of(w, s);
     if (w->form == FORM_COPY)
         return s == w->shape
@@ -153,7 +158,8 @@ static void *open_job(const struct workload *w, const struct canvas *c)
         (uint32_t *)(void *)c->pixels, c->stride));
     if (w->paint == PAINT_DITHERED)
         pixman_image_set_dither(job->canvas, PIXMAN_DITHER_ORDERED_BAYER_8);
-    job->operation = w->form == FORM_SCREEN || w->paint == PAINT_COPY
+    job->operation = w->form == FORM_SCREEN || w->form == FORM_BOX ||
+                             w->paint == PAINT_COPY || w->paint == PAINT_CONVERT
                          ? PIXMAN_OP_SRC
                          : PIXMAN_OP_OVER;
     job->source = method_allocate(w->count, sizeof *job->source);
@@ -181,7 +187,7 @@ static void draw(void *data, int first, int n)
     const struct job *job = data;
     const enum form form = job->workload->form;
     for (int i = first; i < first + n; i++)
-        if (form == FORM_SCREEN || form == FORM_COPY)
+        if (form == FORM_SCREEN || form == FORM_COPY || form == FORM_BOX)
             draw_box(job, i);
         else
             pixman_composite_triangles(job->operation, job->source[i],

@@ -62,7 +62,7 @@ static QBrush brush_of(const struct workload *w, const struct shape *s,
                        const QImage &texture)
 {
     QColor color = QColor::fromRgb(s->color[0]);
-    if (w->form == FORM_SCREEN)
+    if (w->form == FORM_SCREEN && w->paint != PAINT_FLAT)
         return gradient_of(w, s);
     if (w->paint == PAINT_NEAREST || w->paint == PAINT_BILINEAR)
         return texture_of(s, texture);
@@ -107,8 +107,10 @@ static void *open_job(const struct workload *w, const struct canvas *c)
         QImage(reinterpret_cast<const uchar *>(workload_sprite(w->paint)),
                SPRITE_SIDE, SPRITE_SIDE, QImage::Format_ARGB32)
             .convertToFormat(alpha ? QImage::Format_ARGB32_Premultiplied
-                                   : job->image->format());
-    if (w->paint == PAINT_COPY)
+                             : w->paint == PAINT_CONVERT
+                                 ? QImage::Format_RGB32
+                                 : job->image->format());
+    if (w->paint == PAINT_COPY || w->paint == PAINT_CONVERT)
         job->painter->setCompositionMode(QPainter::CompositionMode_Source);
     job->item = new struct item[static_cast<size_t>(w->count)];
     for (int i = 0; i < w->count; i++)
@@ -128,7 +130,17 @@ static void draw_shape(QPainter *painter, const struct workload *w,
         painter->fillRect(QRect(0, 0, w->width, w->height), item->brush);
         return;
     }
+    if (w->form == FORM_BOX) {
+        painter->fillRect(QRect(item->point[0], item->point[1] - QPoint(1, 1)),
+                          item->brush);
+        return;
+    }
     painter->setBrush(item->brush);
+    if (w->form == FORM_ROUNDED) {
+        painter->drawRoundedRect(QRectF(item->point[0], item->point[1]),
+                                 ROUNDED_RADIUS, ROUNDED_RADIUS);
+        return;
+    }
     if (w->form == FORM_CIRCLE)
         painter->drawEllipse(QPointF(item->point[0]) + QPointF(.5, .5), w->size,
                              w->size);

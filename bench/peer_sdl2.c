@@ -1,8 +1,37 @@
 /* SDL2: SDL_RenderGeometry and lines on a software renderer, one call for all
- * shapes; copies from surface to surface. */
-#include "sdl2_canvas.h"
+ * shapes; copies from surface to surface, boxes into one. */
+#include "method.h"
 
 #include <stdlib.h>
+
+#include <SDL.h>
+
+/* A software renderer that draws into a canvas. */
+struct sdl2_canvas {
+    SDL_Surface *surface;
+    SDL_Renderer *renderer;
+};
+
+static struct sdl2_canvas sdl2_canvas_open(const struct canvas *c)
+{
+    const Uint32 format =
+        c->bits == 32 ? SDL_PIXELFORMAT_RGB888 : SDL_PIXELFORMAT_RGB565;
+    struct sdl2_canvas out = {
+        SDL_CreateRGBSurfaceWithFormatFrom(c->pixels, c->width, c->height,
+                                           c->bits, c->stride, format),
+        NULL};
+    if (out.surface)
+        out.renderer = SDL_CreateSoftwareRenderer(out.surface);
+    if (!out.renderer)
+        method_fail(SDL_GetError(), "check the installation of SDL2");
+    return out;
+}
+
+static void sdl2_canvas_close(const struct sdl2_canvas *c)
+{
+    SDL_DestroyRenderer(c->renderer);
+    SDL_FreeSurface(c->surface);
+}
 
 struct job {
     struct sdl2_canvas canvas;
@@ -30,9 +59,10 @@ static void open_sprite(struct job *job, enum paint paint)
     SDL_Surface *all = SDL_CreateRGBSurfaceWithFormatFrom(
         (void *)(uintptr_t)workload_sprite(paint), SPRITE_SIDE, SPRITE_SIDE, 32,
         SPRITE_SIDE * 4, SDL_PIXELFORMAT_ARGB8888);
-    const Uint32 format = paint == PAINT_COPY_ALPHA
-                              ? (Uint32)SDL_PIXELFORMAT_ARGB8888
-                              : job->canvas.surface->format->format;
+    const Uint32 format =
+        paint == PAINT_COPY_ALPHA ? (Uint32)SDL_PIXELFORMAT_ARGB8888
+        : paint == PAINT_CONVERT  ? (Uint32)SDL_PIXELFORMAT_RGB888
+                                  : job->canvas.surface->format->format;
     if (all)
         job->sprite = SDL_ConvertSurfaceFormat(all, format, 0);
     if (!job->sprite)
@@ -50,7 +80,7 @@ static void open_sprite(struct job *job, enum paint paint)
 static void *open_job(const struct workload *w, const struct canvas *c)
 {
     if (w->form == FORM_CIRCLE || w->form == FORM_POLYGON ||
-        w->form == FORM_TEXT ||
+        w->form == FORM_TEXT || w->form == FORM_ROUNDED ||
         (w->form != FORM_COPY && w->paint > PAINT_GOURAUD))
         return NULL;
     struct job *job = method_allocate(1, sizeof *job);
@@ -87,11 +117,28 @@ static void draw_copies(const struct job *job, int first, int n)
     }
 }
 
+static void draw_boxes(const struct job *job, int first, int n)
+{
+    SDL_Surface *to = job->canvas.surface;
+    const struct shape *s = job->workload->shape + first;
+    for (; n > 0; n--, s++) {
+        const SDL_Rect box = {s->x[0], s->y[0], s->x[1] - s->x[0],
+                              s->y[1] - s->y[0]};
+        SDL_FillRect(to, &box,
+                     SDL_MapRGB(to->format, (uint8_t)(s->color[0] >> 16),
+                                (uint8_t)(s->color[0] >> 8),
+                                (uint8_t)s->color[0]));
+    }
+}
+
 static void draw(void *data, int first, int n)
 {
     const struct job *job = data;
     if (job->workload->form == FORM_COPY)
         draw_copies(job, first, n);
+    else if (job->workload->form == FORM_BOX ||
+             job->workload->form == FORM_SCREEN)
+        draw_boxes(job, first, n);
     else if (job->workload->form == FORM_LINE)
         draw_lines(job, first, n);
     else if (SDL_RenderGeometry(job->canvas.renderer, NULL,

@@ -44,7 +44,14 @@ const struct workload workloads[] = {
     BOTH("circle-50", FORM_CIRCLE, PAINT_FLAT, 50, 2000),
     {"circle-500", FORM_CIRCLE, PAINT_FLAT, BIG, 500, 0, 0, 40, 0},
     BOTH("polygon-8", FORM_POLYGON, PAINT_FLAT, 80, 2000),
+    {"565-circle-110", FORM_CIRCLE, PAINT_FLAT, PANEL, 110, 0, 0, 400, 0},
     BOTH("line", FORM_LINE, PAINT_FLAT, 80, 4000),
+    BOTH("line-30", FORM_LINE, PAINT_FLAT, 30, 8000),
+    BOTH("line-200", FORM_LINE, PAINT_FLAT, 200, 2000),
+    BOTH("clear", FORM_SCREEN, PAINT_FLAT, 0, 1),
+    BOTH("box-10", FORM_BOX, PAINT_FLAT, 10, 20000),
+    BOTH("box-100", FORM_BOX, PAINT_FLAT, 100, 1000),
+    BOTH("rounded", FORM_ROUNDED, PAINT_FLAT, 60, 1000),
     BOTH("linear-vertical", FORM_SCREEN, PAINT_VERTICAL, 0, 1),
     BOTH("linear-horizontal", FORM_SCREEN, PAINT_HORIZONTAL, 0, 1),
     BOTH("linear-sloped", FORM_SCREEN, PAINT_SLOPED, 0, 1),
@@ -57,6 +64,7 @@ const struct workload workloads[] = {
     {"565-dithered-big", FORM_SCREEN, PAINT_DITHERED, 1200, 1200, 16, 0, 0, 0,
      1, 0},
     BOTH("copy", FORM_COPY, PAINT_COPY, 0, 1000),
+    {"565-copy-convert", FORM_COPY, PAINT_CONVERT, PANEL, 0, 0, 0, 1000, 0},
     BOTH("copy-keyed", FORM_COPY, PAINT_KEYED, 0, 1000),
     BOTH("copy-alpha", FORM_COPY, PAINT_COPY_ALPHA, 0, 1000),
     BOTH("text", FORM_TEXT, PAINT_FLAT, 0, 1000),
@@ -72,6 +80,8 @@ int workload_vertices(const struct workload *w)
     case FORM_SCREEN:
     case FORM_COPY:
     case FORM_TEXT:
+    case FORM_BOX:
+    case FORM_ROUNDED:
         return 2;
     case FORM_POLYGON:
         return SHAPE_VERTICES;
@@ -128,6 +138,7 @@ bool workload_open(struct workload *w)
         [FORM_CIRCLE] = circle_make,     [FORM_POLYGON] = polygon_make,
         [FORM_LINE] = line_make,         [FORM_SCREEN] = screen_make,
         [FORM_COPY] = copy_make,         [FORM_TEXT] = text_make,
+        [FORM_BOX] = box_make,           [FORM_ROUNDED] = box_make,
     };
     struct random r = {88172645463325252u};
     w->shape = calloc((size_t)w->count, sizeof *w->shape);

@@ -18,7 +18,9 @@ enum form {
     FORM_LINE,
     FORM_SCREEN, /* the whole canvas */
     FORM_COPY,   /* of the sprite, to a random place */
-    FORM_TEXT    /* a line of letters there */
+    FORM_TEXT,   /* a line of letters there */
+    FORM_BOX,    /* a rectangle of whole pixels, size x size */
+    FORM_ROUNDED /* the same, 5/3 as wide, its corners round */
 };
 
 /* Linear gradients run from corner (0, 0) of the canvas to the shape's vertex
@@ -26,7 +28,7 @@ enum form {
  * _STOPS have a third in the middle. PAINT_DITHERED is the sloped one. A fan
  * has its hub in the centre. Textures show TEXTURE_SIDE^2 texels at unit scale,
  * turned; large triangles repeat them. Copies have no colors but those of the
- * sprite. */
+ * sprite, which PAINT_CONVERT has as XRGB8888, whatever the canvas. */
 enum paint {
     PAINT_FLAT,
     PAINT_ALPHA,
@@ -43,15 +45,20 @@ enum paint {
     PAINT_NEAREST,
     PAINT_BILINEAR,
     PAINT_COPY,
+    PAINT_CONVERT,
     PAINT_KEYED,
     PAINT_COPY_ALPHA
 };
+
+/* Radius of the corners of FORM_ROUNDED, px. */
+enum { ROUNDED_RADIUS = 12 };
 
 /* Alpha of PAINT_ALPHA, of 255. */
 enum { WORKLOAD_ALPHA = 128 };
 
 /* px. A circle's centre is the centre of pixel (x[0], y[0]), a line runs
- * between two pixels; the vertices of the others are corners of pixels. */
+ * between two pixels; the vertices of the others are corners of pixels, of what
+ * has two the first and the last. */
 struct shape {
     int x[SHAPE_VERTICES], y[SHAPE_VERTICES];
     uint32_t color[3]; /* 0xRRGGBB; flat paints need the first alone. Every
@@ -108,5 +115,6 @@ void line_make(const struct workload *w, struct random *r, struct shape *s);
 void screen_make(const struct workload *w, struct random *r, struct shape *s);
 void copy_make(const struct workload *w, struct random *r, struct shape *s);
 void text_make(const struct workload *w, struct random *r, struct shape *s);
+void box_make(const struct workload *w, struct random *r, struct shape *s);
 
 #endif

@@ -88,6 +88,12 @@ void text_make(const struct workload *w, struct random *r, struct shape *s)
     place_inside(w, r, s, TEXT_LETTERS * LETTER_SIDE, LETTER_SIDE);
 }
 
+void box_make(const struct workload *w, struct random *r, struct shape *s)
+{
+    const int width = w->form == FORM_ROUNDED ? w->size * 5 / 3 : w->size;
+    place_inside(w, r, s, width, w->size);
+}
+
 void line_make(const struct workload *w, struct random *r, struct shape *s)
 {
     place_in_box(w, r, s, 2);
