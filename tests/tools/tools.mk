@@ -2,7 +2,7 @@
 # of its own, and each one test of `make check`.
 
 CHECK_EXTRA += layers metrics size bench-mcu check-cpus check-mcu check-builds check-examples \
-    check-make
+    check-make check-index reference
 
 .PHONY: layers metrics check-make need-clang need-format
 
@@ -47,6 +47,16 @@ metrics: | need-format ## lengths of functions and files, parameters, layout
 
 check-make: ## goals of make together and alone, and a tree in a folder of any name
 	tests/tools/check_make.sh
+
+# What the public headers say, in one list and as HTML.
+.PHONY: index check-index reference
+index: ## write docs/index.md anew from the headers
+	tests/tools/index.sh $(BUILD) "$(CC)" accept
+check-index: ## does docs/index.md say what the headers do?
+	tests/tools/index.sh $(BUILD) "$(CC)"
+reference: ## the headers as HTML, by doxygen: build/reference
+	tests/tools/reference.sh $(BUILD) "$(CC)" $(PEL_VERSION)
+	@echo "the reference: $(BUILD)/reference/index.html"
 
 # The pictures of docs, of programs and of the C blocks of the pages.
 PICTURE_PROGRAMS := $(patsubst %,$(BUILD)/examples/%,game gauge mesh watch)
