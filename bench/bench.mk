@@ -62,6 +62,7 @@ $(eval $(call bench_peer,allegro,allegro,liballegro4-dev))
 $(eval $(call bench_peer,sdl2,sdl2,libsdl2-dev))
 $(eval $(call bench_peer,cairo,cairo,libcairo2-dev))
 $(eval $(call bench_peer,pixman,pixman-1,libpixman-1-dev))
+$(eval $(call bench_peer,freetype,freetype2,libfreetype-dev))
 $(eval $(call bench_peer,osmesa,osmesa,libosmesa6-dev))
 
 # The same for libraries without a C interface: one C++ file each.
@@ -77,6 +78,8 @@ endif
 endef
 $(eval $(call bench_peer_cpp,qt5,Qt5Gui,qtbase5-dev))
 $(eval $(call bench_peer_cpp,agg,libagg,libagg-dev))
+# gcc does not see that AGG's outlines always set what they are asked for.
+BENCH_FLAGS_agg += -Wno-maybe-uninitialized
 
 BENCH_OBJECTS += $(BENCH_SOURCES:%.c=$(BENCH)/host/%.o)
 

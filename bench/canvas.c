@@ -29,11 +29,12 @@ void canvas_clear(const struct canvas *c, const struct box *box)
         memset(canvas_address(c, box->x0, y), 0, bytes);
 }
 
-static bool is_drawn(const struct canvas *c, const uint8_t *p)
+static uint8_t green(const struct canvas *c, const uint8_t *p)
 {
     uint32_t word = 0;
     memcpy(&word, p, (size_t)c->bits / 8);
-    return (word & 0xFFFFFFu) != 0;
+    return (uint8_t)(c->bits == 32 ? word >> 8
+                                   : (word >> 5 & 63) << 2 | (word >> 9 & 3));
 }
 
 long canvas_mask(const struct canvas *c, const struct box *box, uint8_t *mask)
@@ -42,8 +43,8 @@ long canvas_mask(const struct canvas *c, const struct box *box, uint8_t *mask)
     for (int y = box->y0; y < box->y1; y++) {
         const uint8_t *p = canvas_address(c, box->x0, y);
         for (int x = box->x0; x < box->x1; x++, p += c->bits / 8) {
-            *mask = is_drawn(c, p);
-            n += *mask++;
+            *mask = green(c, p);
+            n += *mask++ != 0;
         }
     }
     return n;

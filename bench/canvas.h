@@ -36,8 +36,8 @@ struct box {
 /* Makes the box black. */
 void canvas_clear(const struct canvas *c, const struct box *box);
 
-/* mask[i] = the i-th pixel of the box, row by row, is not black. The byte that
- * XRGB8888 leaves unused does not count. Returns how many are not. */
+/* mask[i] = green of the i-th pixel of the box, row by row, 0 to 255: every
+ * color that is drawn has some. Returns how many have. */
 long canvas_mask(const struct canvas *c, const struct box *box, uint8_t *mask);
 
 #endif

@@ -15,7 +15,8 @@ static int clamp(int v, int high)
 
 struct box shape_box(const struct workload *w, const struct shape *s)
 {
-    const int around = MARGIN + (w->form == FORM_CIRCLE ? w->size : 0);
+    const bool is_round = w->form == FORM_CIRCLE || w->form == FORM_GEAR;
+    const int around = MARGIN + (is_round ? w->size : 0);
     struct box b = {w->width, w->height, 0, 0};
     for (int k = 0; k < workload_vertices(w); k++) {
         b.x0 = s->x[k] < b.x0 ? s->x[k] : b.x0;
@@ -72,8 +73,26 @@ static long differences(const uint8_t *a, const uint8_t *b, long n)
 {
     long different = 0;
     for (; n > 0; n--)
-        different += *a++ != *b++;
+        different += (*a++ != 0) != (*b++ != 0);
     return different;
+}
+
+/* Sums over the pixels at edges. */
+struct edges {
+    long pixels, sum;
+    int worst;
+};
+
+static void add_levels(struct edges *e, const uint8_t *a, const uint8_t *b,
+                       long n)
+{
+    for (long i = 0; i < n; i++) {
+        const int far = abs(a[i] - b[i]);
+        const bool is_edge = (a[i] > 0 && a[i] < 255) || far > 0;
+        e->pixels += is_edge;
+        e->sum += far;
+        e->worst = far > e->worst ? far : e->worst;
+    }
 }
 
 struct coverage coverage_of(const struct method *m, const struct workload *w,
@@ -81,17 +100,21 @@ struct coverage coverage_of(const struct method *m, const struct workload *w,
 {
     struct drawing pel = drawing_open(methods[0], w, c);
     struct drawing other = drawing_open(m, w, c);
+    struct edges edges = {0, 0, 0};
     long expected = 0, got = 0, wrong = 0, seen = 0;
     for (int i = 0; i < w->count && seen < ENOUGH; i++) {
         struct box box = shape_box(w, &w->shape[i]);
         expected += drawing_draw(&pel, &box, i);
         got += drawing_draw(&other, &box, i);
         wrong += differences(pel.mask, other.mask, box_pixels(&box));
+        if (w->paint == PAINT_SMOOTH)
+            add_levels(&edges, pel.mask, other.mask, box_pixels(&box));
         seen += box_pixels(&box);
     }
     drawing_close(&pel);
     drawing_close(&other);
     return (struct coverage){
         true, 100.0 * (double)(got - expected) / (double)expected,
-        100.0 * (double)wrong / (double)expected};
+        100.0 * (double)wrong / (double)expected, edges.worst,
+        edges.pixels ? (double)edges.sum / (double)edges.pixels : 0};
 }

@@ -13,7 +13,7 @@ struct drawing {
     const struct workload *workload;
     const struct canvas *canvas;
     void *job;
-    uint8_t *mask; /* as large as the canvas */
+    uint8_t *mask; /* green of its box, as large as the canvas */
 };
 
 struct drawing drawing_open(const struct method *m, const struct workload *w,
@@ -30,6 +30,9 @@ struct coverage {
     bool known;   /* false: nothing was compared */
     double more;  /* pixels more (or less) than Pel draws, percent of Pel's */
     double wrong; /* pixels that one of the two draws alone, percent of Pel's */
+    int worst;    /* of smooth shapes, of 255: from Pel's level, which is within
+                     1 of the exact area, at the edges' worst pixel */
+    double mean;  /* and in the mean of the edges' pixels */
 };
 
 /* Compares shape by shape, on black; of large workloads a part. */

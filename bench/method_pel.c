@@ -37,6 +37,7 @@ struct job {
     struct pel_fan_triangle fan_triangle[PERIMETER];
     struct pel_surface texture, sprite;
     enum paint copy;
+    const struct offset *gear;
     uint8_t wrap; /* of the texture */
 };
 
@@ -107,6 +108,38 @@ static void draw_rounded(const struct job *job, const struct item *item, int n)
     }
 }
 
+static void draw_smooth_circles(const struct job *job, const struct item *item,
+                                int n)
+{
+    for (; n > 0; n--, item++) {
+        const struct pel_flat flat = PEL_FLAT(item->color[0]);
+        pel_smooth_circle(&job->surface, item->v[0], job->radius, &flat.paint);
+    }
+}
+
+static void draw_needles(const struct job *job, const struct item *item, int n)
+{
+    for (; n > 0; n--, item++) {
+        const struct pel_flat flat = PEL_FLAT(item->color[0]);
+        pel_smooth_triangle(&job->surface, item->v, &flat.paint);
+    }
+}
+
+static void draw_gears(const struct job *job, const struct item *item, int n)
+{
+    struct pel_point v[GEAR_SIDES];
+    const struct pel_polygon_shape outline = {v, GEAR_SIDES, PEL_NON_ZERO};
+    for (; n > 0; n--, item++) {
+        const struct pel_flat flat = PEL_FLAT(item->color[0]);
+        for (int k = 0; k < GEAR_SIDES; k++) {
+            v[k].x = item->v[0].x + job->gear[k].x;
+            v[k].y = item->v[0].y + job->gear[k].y;
+        }
+        pel_smooth_polygon(&job->surface, &outline, &flat.paint, job->scratch,
+                           job->scratch_size);
+    }
+}
+
 static void draw_screen(const struct job *job, const struct item *item, int n)
 {
     for (; n > 0; n--, item++)
@@ -171,7 +204,9 @@ static void (*draw_of(const struct workload *w))(const struct job *,
 {
     switch (w->form) {
     case FORM_CIRCLE:
-        return draw_circles;
+        return w->paint == PAINT_SMOOTH ? draw_smooth_circles : draw_circles;
+    case FORM_GEAR:
+        return draw_gears;
     case FORM_POLYGON:
         return draw_polygons;
     case FORM_LINE:
@@ -190,6 +225,8 @@ static void (*draw_of(const struct workload *w))(const struct job *,
     case FORM_SLIVER:
         break;
     }
+    if (w->paint == PAINT_SMOOTH)
+        return draw_needles;
     if (w->paint == PAINT_NEAREST)
         return draw_nearest;
     if (w->paint == PAINT_BILINEAR)
@@ -202,7 +239,9 @@ static struct item item_of(const struct workload *w, const struct shape *s)
 {
     struct item item;
     const int32_t half =
-        w->form == FORM_CIRCLE || w->form == FORM_LINE ? 128 : 0;
+        w->form == FORM_CIRCLE || w->form == FORM_LINE || w->form == FORM_GEAR
+            ? 128
+            : 0;
     const uint32_t alpha = w->paint == PAINT_ALPHA ? WORKLOAD_ALPHA : 255;
     for (int k = 0; k < SHAPE_VERTICES; k++) {
         item.v[k].x = PEL_PX(s->x[k]) + half;
@@ -299,7 +338,11 @@ static void *open_job(const struct workload *w, const struct canvas *c)
     set_pictures(job, w);
     job->radius = PEL_PX(w->size);
     job->draw = draw_of(w);
-    job->scratch_size = pel_polygon_scratch_size(SHAPE_VERTICES);
+    job->gear = workload_gear(w);
+    job->scratch_size =
+        w->form == FORM_GEAR
+            ? PEL_SMOOTH_POLYGON_SCRATCH_SIZE(GEAR_SIDES, w->width)
+            : pel_polygon_scratch_size(SHAPE_VERTICES);
     job->scratch = method_allocate(1, job->scratch_size);
     return job;
 }

@@ -1,5 +1,7 @@
 /* AGG 2.4 with hard edges: its rasteriser with coverage cut at one half, runs
- * of whole pixels, its span generators for gradients, Gouraud and textures. */
+ * of whole pixels; smooth shapes with its coverage; its span generators for
+ * gradients, Gouraud and textures. */
+#include <agg_ellipse.h>
 #include <agg_gamma_functions.h>
 #include <agg_image_accessors.h>
 #include <agg_pixfmt_rgb_packed.h>
@@ -8,6 +10,7 @@
 #include <agg_renderer_scanline.h>
 #include <agg_rounded_rect.h>
 #include <agg_scanline_bin.h>
+#include <agg_scanline_u.h>
 #include <agg_span_allocator.h>
 #include <agg_span_gouraud_rgba.h>
 #include <agg_span_gradient.h>
@@ -26,6 +29,8 @@ struct job {
     agg::rendering_buffer canvas, texture;
     agg::rasterizer_scanline_aa<> rasterizer;
     agg::scanline_bin line;
+    agg::scanline_u8 levels;
+    const struct offset *gear;
     agg::span_allocator<color> colors;
     color ramp[256];
     bool is_wide;
@@ -121,6 +126,15 @@ static void set_outline(struct job *job, const struct shape *s)
         agg::rounded_rect box(s->x[0], s->y[0], s->x[1], s->y[1],
                               ROUNDED_RADIUS);
         job->rasterizer.add_path(box);
+    } else if (w->form == FORM_CIRCLE) {
+        agg::ellipse disc(s->x[0] + .5, s->y[0] + .5, w->size, w->size);
+        job->rasterizer.add_path(disc);
+    } else if (w->form == FORM_GEAR) {
+        job->rasterizer.move_to_d(s->x[0] + .5 + job->gear[0].x / 256.,
+                                  s->y[0] + .5 + job->gear[0].y / 256.);
+        for (int k = 1; k < GEAR_SIDES; k++)
+            job->rasterizer.line_to_d(s->x[0] + .5 + job->gear[k].x / 256.,
+                                      s->y[0] + .5 + job->gear[k].y / 256.);
     } else if (w->form == FORM_SCREEN) {
         job->rasterizer.move_to_d(0, 0);
         job->rasterizer.line_to_d(s->x[1], 0);
@@ -146,6 +160,9 @@ static void draw_shape(struct job *job, Base &base, const struct shape *s)
     set_outline(job, s);
     if (w->form == FORM_SCREEN) {
         fill_screen(job, base, s);
+    } else if (w->paint == PAINT_SMOOTH) {
+        agg::render_scanlines_aa_solid(job->rasterizer, job->levels, base,
+                                       color_of(s->color[0]));
     } else if (w->paint == PAINT_GOURAUD) {
         agg::span_gouraud_rgba<color> generator(
             color_of(s->color[0]), color_of(s->color[1]), color_of(s->color[2]),
@@ -172,9 +189,10 @@ template <class Pixels> static void draw_on(struct job *job, int first, int n)
 static void *open_job(const struct workload *w, const struct canvas *c)
 {
     if (w->form == FORM_COPY || w->form == FORM_TEXT ||
-        w->form == FORM_CIRCLE || w->form == FORM_LINE ||
-        w->paint == PAINT_DITHERED || w->paint == PAINT_FAN ||
-        w->paint == PAINT_RADIAL_STOPS || w->paint == PAINT_CONIC_STOPS)
+        (w->form == FORM_CIRCLE && w->paint != PAINT_SMOOTH) ||
+        w->form == FORM_LINE || w->paint == PAINT_DITHERED ||
+        w->paint == PAINT_FAN || w->paint == PAINT_RADIAL_STOPS ||
+        w->paint == PAINT_CONIC_STOPS)
         return nullptr;
     struct job *job = new struct job;
     const uint32_t *end = w->shape[0].color;
@@ -185,7 +203,9 @@ static void *open_job(const struct workload *w, const struct canvas *c)
     job->texture.attach(reinterpret_cast<agg::int8u *>(
                             const_cast<uint32_t *>(workload_texture())),
                         TEXTURE_SIDE, TEXTURE_SIDE, TEXTURE_SIDE * 4);
-    job->rasterizer.gamma(agg::gamma_threshold(.5));
+    if (w->paint != PAINT_SMOOTH)
+        job->rasterizer.gamma(agg::gamma_threshold(.5));
+    job->gear = workload_gear(w);
     for (int i = 0; i < 256; i++)
         job->ramp[i] = color_of(end[0]).gradient(color_of(end[1]), i / 255.);
     return job;

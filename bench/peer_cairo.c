@@ -1,5 +1,5 @@
-/* cairo without antialiasing: paths that are filled, lines that are stroked,
- * patterns that are painted. */
+/* cairo without antialiasing but for smooth shapes: paths that are filled,
+ * lines that are stroked, patterns that are painted. */
 #define _DEFAULT_SOURCE
 #include "method.h"
 
@@ -13,13 +13,15 @@ struct job {
     cairo_surface_t *surface;
     cairo_t *cairo;
     cairo_pattern_t *pattern; /* of a gradient, or NULL */
+    const struct offset *gear;
 };
 
 static bool can_draw(const struct workload *w)
 {
     if (w->form == FORM_SCREEN)
         return w->paint <= PAINT_RADIAL_STOPS && w->paint != PAINT_DITHERED;
-    return w->form != FORM_TEXT && w->paint < PAINT_GOURAUD;
+    return w->form != FORM_TEXT &&
+           (w->paint < PAINT_GOURAUD || w->paint == PAINT_SMOOTH);
 }
 
 static void add_stop(cairo_pattern_t *pattern, double at, uint32_t color)
@@ -75,7 +77,9 @@ static void *open_job(const struct workload *w, const struct canvas *c)
     if (cairo_status(job->cairo))
         method_fail(cairo_status_to_string(cairo_status(job->cairo)),
                     "check the installation of cairo");
-    cairo_set_antialias(job->cairo, CAIRO_ANTIALIAS_NONE);
+    if (w->paint != PAINT_SMOOTH)
+        cairo_set_antialias(job->cairo, CAIRO_ANTIALIAS_NONE);
+    job->gear = workload_gear(w);
     cairo_set_line_width(job->cairo, 1);
     cairo_set_line_cap(job->cairo, CAIRO_LINE_CAP_SQUARE);
     if (w->form == FORM_SCREEN && w->paint != PAINT_FLAT) {
@@ -101,6 +105,15 @@ static void draw_outline(cairo_t *cairo, const struct shape *s, int n)
     cairo_move_to(cairo, s->x[0], s->y[0]);
     for (int k = 1; k < n; k++)
         cairo_line_to(cairo, s->x[k], s->y[k]);
+    cairo_fill(cairo);
+}
+
+static void draw_gear(cairo_t *cairo, const struct shape *s,
+                      const struct offset *gear)
+{
+    for (int k = 0; k < GEAR_SIDES; k++)
+        cairo_line_to(cairo, s->x[0] + .5 + gear[k].x / 256.,
+                      s->y[0] + .5 + gear[k].y / 256.);
     cairo_fill(cairo);
 }
 
@@ -133,6 +146,8 @@ static void draw(void *data, int first, int n)
             draw_box(job->cairo, s, w->form == FORM_ROUNDED);
         else if (w->form == FORM_CIRCLE)
             draw_circle(job->cairo, s, w->size);
+        else if (w->form == FORM_GEAR)
+            draw_gear(job->cairo, s, job->gear);
         else if (w->form == FORM_LINE)
             draw_line(job->cairo, s);
         else

@@ -74,7 +74,8 @@ static void open_context(struct job *job, const struct canvas *c)
 
 static void *open_job(const struct workload *w, const struct canvas *c)
 {
-    if (w->form != FORM_TRIANGLE && w->form != FORM_SLIVER)
+    if ((w->form != FORM_TRIANGLE && w->form != FORM_SLIVER) ||
+        w->paint == PAINT_SMOOTH)
         return NULL;
     struct job *job = method_allocate(1, sizeof *job);
     open_context(job, c);

@@ -1,5 +1,6 @@
 /* pixman: triangles through a mask of one bit a pixel, which decides at centres
- * of pixels; gradients and copies of images. */
+ * of pixels, or of eight when they are smooth; gradients and copies of images.
+ */
 #include "method.h"
 
 #include <stdlib.h>
@@ -12,6 +13,7 @@ struct job {
     pixman_image_t **source; /* of each shape */
     pixman_triangle_t *triangle;
     pixman_op_t operation;
+    pixman_format_code_t mask; /* of triangles */
 };
 
 static bool can_draw(const struct workload *w)
@@ -162,6 +164,7 @@ static void *open_job(const struct workload *w, const struct canvas *c)
                              w->paint == PAINT_COPY || w->paint == PAINT_CONVERT
                          ? PIXMAN_OP_SRC
                          : PIXMAN_OP_OVER;
+    job->mask = w->paint == PAINT_SMOOTH ? PIXMAN_a8 : PIXMAN_a1;
     job->source = method_allocate(w->count, sizeof *job->source);
     job->triangle = method_allocate(w->count, sizeof *job->triangle);
     for (int i = 0; i < w->count; i++) {
@@ -191,7 +194,7 @@ static void draw(void *data, int first, int n)
             draw_box(job, i);
         else
             pixman_composite_triangles(job->operation, job->source[i],
-                                       job->canvas, PIXMAN_a1, 0, 0, 0, 0, 1,
+                                       job->canvas, job->mask, 0, 0, 0, 0, 1,
                                        &job->triangle[i]);
 }
 

@@ -1,4 +1,5 @@
-/* Qt 5: a QPainter without antialiasing on a QImage, one brush for a shape. */
+/* Qt 5: a QPainter on a QImage, without antialiasing but for smooth shapes, one
+ * brush for a shape. */
 #include <cstdlib>
 
 #include <QImage>
@@ -97,6 +98,8 @@ static void *open_job(const struct workload *w, const struct canvas *c)
     if (!job->painter->begin(job->image))
         method_fail("Qt 5 refuses the canvas", "check its installation");
     job->painter->setPen(Qt::NoPen);
+    job->painter->setRenderHint(QPainter::Antialiasing,
+                                w->paint == PAINT_SMOOTH);
     job->painter->setRenderHint(QPainter::SmoothPixmapTransform,
                                 w->paint == PAINT_BILINEAR);
     const QImage texture =
@@ -116,6 +119,16 @@ static void *open_job(const struct workload *w, const struct canvas *c)
     for (int i = 0; i < w->count; i++)
         job->item[i] = item_of(w, &w->shape[i], texture);
     return job;
+}
+
+static void draw_gear(QPainter *painter, const struct offset *gear,
+                      QPoint center)
+{
+    QPointF point[GEAR_SIDES];
+    for (int k = 0; k < GEAR_SIDES; k++)
+        point[k] = QPointF(center.x() + .5 + gear[k].x / 256.,
+                           center.y() + .5 + gear[k].y / 256.);
+    painter->drawPolygon(point, GEAR_SIDES);
 }
 
 static void draw_shape(QPainter *painter, const struct workload *w,
@@ -144,6 +157,8 @@ static void draw_shape(QPainter *painter, const struct workload *w,
     if (w->form == FORM_CIRCLE)
         painter->drawEllipse(QPointF(item->point[0]) + QPointF(.5, .5), w->size,
                              w->size);
+    else if (w->form == FORM_GEAR)
+        draw_gear(painter, workload_gear(w), item->point[0]);
     else if (w->form == FORM_POLYGON)
         painter->drawPolygon(item->point, SHAPE_VERTICES);
     else

@@ -7,7 +7,8 @@
 #include "measure.h"
 
 /* Columns: compiler, workload, method, ns, q1, q3, ratio_to_memset,
- * ratio_to_best_peer, pixels, more_percent, wrong_percent; empty where there is
+ * ratio_to_best_peer, pixels, more_percent, wrong_percent, worst_level,
+ * mean_level (of smooth shapes); empty where there is
  * nothing to say. */
 void report_csv_header(FILE *out);
 void report_csv(FILE *out, const struct measurement *m);

@@ -3,7 +3,8 @@
 void report_csv_header(FILE *out)
 {
     fputs("compiler,workload,method,ns,q1,q3,ratio_to_memset,"
-          "ratio_to_best_peer,pixels,more_percent,wrong_percent\n",
+          "ratio_to_best_peer,pixels,more_percent,wrong_percent,worst_level,"
+          "mean_level\n",
           out);
 }
 
@@ -23,10 +24,13 @@ static void put_result(FILE *out, const struct measurement *m,
     put_ratio(out, r->ns.median, measurement_best_peer(m));
     fprintf(out, ",%.2f,", m->pixels);
     if (r->coverage.known)
-        fprintf(out, "%.4f,%.4f", r->coverage.more, r->coverage.wrong);
+        fprintf(out, "%.4f,%.4f,", r->coverage.more, r->coverage.wrong);
     else
-        fputc(',', out);
-    fputc('\n', out);
+        fputs(",,", out);
+    if (r->coverage.known && m->workload->paint == PAINT_SMOOTH)
+        fprintf(out, "%d,%.3f\n", r->coverage.worst, r->coverage.mean);
+    else
+        fputs(",\n", out);
 }
 
 void report_csv(FILE *out, const struct measurement *m)

@@ -17,6 +17,8 @@ static void put_result(FILE *out, const struct measurement *m,
     put_ratio(out, r->ns.median, measurement_best_peer(m));
     if (r->coverage.known)
         fprintf(out, " %8.2f %8.2f", r->coverage.more, r->coverage.wrong);
+    if (r->coverage.known && m->workload->paint == PAINT_SMOOTH)
+        fprintf(out, " %8d %8.2f", r->coverage.worst, r->coverage.mean);
     fputc('\n', out);
 }
 
@@ -25,8 +27,9 @@ void report_table(FILE *out, const struct measurement *m)
     const struct workload *w = m->workload;
     fprintf(out, "\n%s: %d shapes, %.1f px each, %dx%d, %d bits", w->name,
             w->count, m->pixels, w->width, w->height, w->bits);
-    fprintf(out, "\n  %-22s %10s %10s %10s %8s %8s %8s %8s\n", "method",
-            "ns median", "q1", "q3", "/memset", "/peer", "more %", "wrong %");
+    fprintf(out, "\n  %-22s %10s %10s %10s %8s %8s %8s %8s%s\n", "method",
+            "ns median", "q1", "q3", "/memset", "/peer", "more %", "wrong %",
+            w->paint == PAINT_SMOOTH ? "    worst     mean of 255" : "");
     for (int i = 0; i < m->results; i++)
         if (m->result[i].method)
             put_result(out, m, &m->result[i]);

@@ -1,5 +1,7 @@
+#define _DEFAULT_SOURCE
 #include "workload.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #define BIG 1200, 1200, 32
@@ -68,6 +70,9 @@ const struct workload workloads[] = {
     BOTH("copy-keyed", FORM_COPY, PAINT_KEYED, 0, 1000),
     BOTH("copy-alpha", FORM_COPY, PAINT_COPY_ALPHA, 0, 1000),
     BOTH("text", FORM_TEXT, PAINT_FLAT, 0, 1000),
+    BOTH("smooth-circle-50", FORM_CIRCLE, PAINT_SMOOTH, 50, 1000),
+    BOTH("smooth-needle", FORM_SLIVER, PAINT_SMOOTH, 100, 1000),
+    BOTH("smooth-polygon-100", FORM_GEAR, PAINT_SMOOTH, 100, 400),
     {0},
 };
 
@@ -75,6 +80,7 @@ int workload_vertices(const struct workload *w)
 {
     switch (w->form) {
     case FORM_CIRCLE:
+    case FORM_GEAR:
         return 1;
     case FORM_LINE:
     case FORM_SCREEN:
@@ -130,6 +136,18 @@ const uint32_t *workload_sprite(enum paint paint)
     return pixel;
 }
 
+const struct offset *workload_gear(const struct workload *w)
+{
+    static struct offset vertex[GEAR_SIDES];
+    for (int k = 0; k < GEAR_SIDES; k++) {
+        const double turn = k * (2 * M_PI / GEAR_SIDES);
+        const double radius = w->size * (k % 4 < 2 ? 256 : 208);
+        vertex[k].x = (int)lrint(radius * cos(turn));
+        vertex[k].y = (int)lrint(radius * sin(turn));
+    }
+    return vertex;
+}
+
 bool workload_open(struct workload *w)
 {
     void (*const make[])(const struct workload *, struct random *,
@@ -139,6 +157,7 @@ bool workload_open(struct workload *w)
         [FORM_LINE] = line_make,         [FORM_SCREEN] = screen_make,
         [FORM_COPY] = copy_make,         [FORM_TEXT] = text_make,
         [FORM_BOX] = box_make,           [FORM_ROUNDED] = box_make,
+        [FORM_GEAR] = circle_make,
     };
     struct random r = {88172645463325252u};
     w->shape = calloc((size_t)w->count, sizeof *w->shape);
@@ -147,7 +166,8 @@ bool workload_open(struct workload *w)
     for (int i = 0; i < w->count; i++) {
         struct shape *s = &w->shape[i];
         for (int k = 0; k < 3; k++)
-            s->color[k] = random_color(&r);
+            s->color[k] =
+                w->paint == PAINT_SMOOTH ? 0xFFFFFFu : random_color(&r);
         make[w->form](w, &r, s);
         if (w->paint == PAINT_NEAREST || w->paint == PAINT_BILINEAR)
             texture_place(&r, s);

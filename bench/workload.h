@@ -16,11 +16,12 @@ enum form {
     FORM_CIRCLE,
     FORM_POLYGON,
     FORM_LINE,
-    FORM_SCREEN, /* the whole canvas */
-    FORM_COPY,   /* of the sprite, to a random place */
-    FORM_TEXT,   /* a line of letters there */
-    FORM_BOX,    /* a rectangle of whole pixels, size x size */
-    FORM_ROUNDED /* the same, 5/3 as wide, its corners round */
+    FORM_SCREEN,  /* the whole canvas */
+    FORM_COPY,    /* of the sprite, to a random place */
+    FORM_TEXT,    /* a line of letters there */
+    FORM_BOX,     /* a rectangle of whole pixels, size x size */
+    FORM_ROUNDED, /* the same, 5/3 as wide, its corners round */
+    FORM_GEAR     /* an outline of GEAR_SIDES sides around a pixel's centre */
 };
 
 /* Linear gradients run from corner (0, 0) of the canvas to the shape's vertex
@@ -47,11 +48,16 @@ enum paint {
     PAINT_COPY,
     PAINT_CONVERT,
     PAINT_KEYED,
-    PAINT_COPY_ALPHA
+    PAINT_COPY_ALPHA,
+    PAINT_SMOOTH /* flat, white, and smooth at the edges */
 };
 
 /* Radius of the corners of FORM_ROUNDED, px. */
 enum { ROUNDED_RADIUS = 12 };
+
+enum { GEAR_SIDES = 100 };
+/* Base of the slivers: thin triangles, or smooth needles. */
+enum { SLIVER_BASE = 1, NEEDLE_BASE = 5 };
 
 /* Alpha of PAINT_ALPHA, of 255. */
 enum { WORKLOAD_ALPHA = 128 };
@@ -99,6 +105,13 @@ enum { SPRITE_SIDE = 64, SPRITE_KEY = 0xFF00FF };
  * disc in a square of the key; with PAINT_COPY_ALPHA one with a soft rim in
  * nothing. It stays until the next call. */
 const uint32_t *workload_sprite(enum paint paint);
+
+/* GEAR_SIDES vertices of a FORM_GEAR, in 1/256 px from its centre, which is
+ * that of pixel (x[0], y[0]). They stay until the next call. */
+struct offset {
+    int x, y;
+};
+const struct offset *workload_gear(const struct workload *w);
 
 /* Letters of a line of text, and the size of each, px. */
 enum { TEXT_LETTERS = 24, LETTER_SIDE = 8 };

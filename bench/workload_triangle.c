@@ -31,20 +31,21 @@ void triangle_make(const struct workload *w, struct random *r, struct shape *s)
     } while (area < 2 * w->area_min || area > 2 * w->area_max);
 }
 
-/* From a random pixel in a random direction; the third vertex lies 1 px beside
- * the first, across the longer axis. */
+/* From a random pixel in a random direction; the third vertex lies beside the
+ * first, across the longer axis. */
 void sliver_make(const struct workload *w, struct random *r, struct shape *s)
 {
+    const int base = w->paint == PAINT_SMOOTH ? NEEDLE_BASE : SLIVER_BASE;
     do {
         double turn = random_between(r, 0, 65535) * (2 * M_PI / 65536);
         double dx = cos(turn), dy = sin(turn);
         int flat = fabs(dx) > fabs(dy);
-        s->x[0] = random_between(r, 0, w->width - 2);
-        s->y[0] = random_between(r, 0, w->height - 2);
+        s->x[0] = random_between(r, 0, w->width - 1 - base);
+        s->y[0] = random_between(r, 0, w->height - 1 - base);
         s->x[1] = s->x[0] + (int)lrint(w->size * dx);
         s->y[1] = s->y[0] + (int)lrint(w->size * dy);
-        s->x[2] = s->x[0] + !flat;
-        s->y[2] = s->y[0] + flat;
+        s->x[2] = s->x[0] + !flat * base;
+        s->y[2] = s->y[0] + flat * base;
     } while (s->x[1] < 0 || s->x[1] >= w->width || s->y[1] < 0 ||
              s->y[1] >= w->height);
 }

@@ -53,6 +53,8 @@ kind == "speed" && FNR > 1 {
             $8 * $6 / $4)
     if ($11 != "")
         add(m, $2, "", "wrong_ppm", "ppm", $11 * 1e4, "", "")
+    if ($13 != "")
+        add(m, $2, "", "edge_error", "levels", $13, $13, $12)
 }
 
 # pel-atlas

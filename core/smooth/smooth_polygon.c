@@ -58,7 +58,13 @@ static void add_edge(struct pel_smooth_sweep *w, const struct pel_point *a,
     place(w, w->count);
 }
 
-/* Paints what is collected of a row; the next part begins at x. */
+/* What is collected of a row. */
+struct part {
+    struct pel_smooth_row row;
+    uint8_t bytes[BYTES];
+};
+
+/* Paints it; the next part begins at x. */
 static void flush(struct pel_smooth_sweep *w, struct pel_smooth_row *row,
                   int32_t x)
 {
@@ -68,18 +74,32 @@ static void flush(struct pel_smooth_sweep *w, struct pel_smooth_row *row,
     row->left = row->full = 0;
 }
 
-static void collect(struct pel_smooth_sweep *w, struct pel_smooth_row *row,
-                    int32_t x, int32_t coverage, uint8_t bytes[BYTES])
+/* Pixels x to end of one coverage. */
+static void collect(struct pel_smooth_sweep *w, struct part *part, int32_t x,
+                    int32_t end, int32_t coverage)
 {
+    struct pel_smooth_row *const row = &part->row;
     if (coverage == 0)
-        flush(w, row, x + 1);
+        flush(w, row, end);
     else if (coverage == 255)
-        row->full++;
-    else {
-        if (row->left == BYTES || row->full > 0)
-            flush(w, row, x);
-        bytes[row->left++] = (uint8_t)coverage;
-    }
+        row->full += end - x;
+    else
+        for (; x < end; x++) {
+            if (row->left == BYTES || row->full > 0)
+                flush(w, row, x);
+            part->bytes[row->left++] = (uint8_t)coverage;
+        }
+}
+
+/* How many are 0, from the first on. */
+static int32_t zeros(const int32_t *sum, int32_t n)
+{
+    int32_t i = 0;
+    while (n - i >= 4 && (sum[i] | sum[i + 1] | sum[i + 2] | sum[i + 3]) == 0)
+        i += 4;
+    while (i < n && sum[i] == 0)
+        i++;
+    return i;
 }
 
 /* What a sum says, which then is 0. */
@@ -94,16 +114,19 @@ static int32_t take_sum(int32_t *sum)
 static void paint_row(struct pel_smooth_sweep *w, int32_t y)
 {
     const struct pel_rect *const clip = &w->smooth.surface.clip;
-    uint8_t bytes[BYTES];
-    struct pel_smooth_row row = {y, w->lo, 0, 0, 0, bytes};
-    int32_t area = 1 << 21, coverage = 0, x = w->lo;
-    for (; x < clip->x1 && (x < w->end || coverage > 0); x++) {
-        area += take_sum(&w->sum[x - clip->x0]);
+    struct part part;
+    int32_t area = 1 << 21, coverage = 0, x = w->lo, end;
+    part.row = (struct pel_smooth_row){y, x, 0, 0, 0, part.bytes};
+    for (; x < clip->x1 && (x < w->end || coverage > 0); x = end) {
+        int32_t *const sum = &w->sum[x - clip->x0];
+        area += take_sum(sum);
         coverage = pel_max(0, pel_min(area >> 22, 255));
-        collect(w, &row, x, coverage, bytes);
+        end = pel_min(w->end, clip->x1);
+        end = x < end ? x + 1 + zeros(sum + 1, end - x - 1) : clip->x1;
+        collect(w, &part, x, end, coverage);
     }
     w->sum[x - clip->x0] = 0;
-    flush(w, &row, x);
+    flush(w, &part.row, x);
 }
 
 /* Edges that begin above the row's end become active. */

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Runs one test of run.sh: `run_one.sh DIR "NAME<TAB>COMMAND"`. A cmocka program
 # counts as many tests as it ran; anything else is one test, passed when it
-# exits with 0. A crash or a time-out (PEL_TIMEOUT seconds, 900 unless told) is
+# exits with 0. A crash or a time-out (PEL_TIMEOUT seconds, 1,800 unless told) is
 # a failed test. Tests whose name begins with `make ` share objects: one of them
 # runs at a time, and waiting is not its time. The last lines of a failed test's
 # output are shown, and of all tests how many have ended.
@@ -18,7 +18,7 @@ case $name in
         ;;
 esac
 start=$(date +%s%N)
-timeout "${PEL_TIMEOUT:-900}" sh -c "$command" >"$log" 2>&1 </dev/null 9>&-
+timeout "${PEL_TIMEOUT:-1800}" sh -c "$command" >"$log" 2>&1 </dev/null 9>&-
 status=$?
 milliseconds=$((($(date +%s%N) - start) / 1000000))
 
