@@ -15,7 +15,8 @@
  * display is that of the bus. A clip that leaves the screen is
  * PEL_ERROR_SIZE.
  *
- * Color panels take pel_rgb565_be (or its _fill variant) and any window.
+ * Color panels take pel_rgb565_be (or its _fill variant), an ILI9488
+ * pel_bgr888, of which it leaves two bits a channel out, and any window.
  *
  * Monochrome ones hold 8 rows in a byte. Upright they take pel_mono1_pages and
  * windows whose rows are multiples of 8, turned pel_mono1 and windows whose
@@ -43,24 +44,58 @@ struct pel_panel {
     int32_t from[2]; /* set by init: first column and row of memory in use */
 };
 
-/* Glass that is smaller than the chip's memory, for designated initialisers. */
+/* Glass of an ST7789 that is smaller than its memory, for designated
+ * initialisers. */
 #define PEL_PANEL_240X240 .width = 240, .height = 240
 #define PEL_PANEL_135X240 .width = 135, .height = 240, .left = 52, .top = 40
 #define PEL_PANEL_170X320 .width = 170, .height = 320, .left = 35
 #define PEL_PANEL_240X280 .width = 240, .height = 280, .top = 20
+/* Glass of an ST7735 with its largest memory, or with one of 132x132. */
+#define PEL_PANEL_128X160 .width = 128, .height = 160, .left = 2, .top = 1
+#define PEL_PANEL_80X160 .width = 80, .height = 160, .left = 26, .top = 1
+#define PEL_PANEL_128X128 .width = 128, .height = 128, .left = 2, .top = 3
 
+/* Color panels; in brackets, a module that the values of the file are meant
+ * for. */
 extern const struct pel_panel_chip pel_panel_st7789;  /* 240x320 */
-extern const struct pel_panel_chip pel_panel_ili9341; /* 240x320 */
+extern const struct pel_panel_chip pel_panel_ili9341; /* 240x320 (MSP2807) */
+extern const struct pel_panel_chip pel_panel_ili9342; /* 320x240, ILI9342C
+                                                         (M5Stack Core) */
+extern const struct pel_panel_chip pel_panel_ili9488; /* 320x480 (MSP3520) */
+extern const struct pel_panel_chip pel_panel_st7796;  /* 320x480 (MSP4021) */
 extern const struct pel_panel_chip pel_panel_gc9a01;  /* 240x240, round */
 extern const struct pel_panel_chip pel_panel_ssd1351; /* 128x128, OLED */
+
+/* ST7735R and S by their memory, which pins of the chip decide. Modules of
+ * 128x160 with a green tab and of 80x160 have all of it, those with a black tab
+ * 128x160 and 24 columns beside 80x160; of their pictures 2 columns and a row
+ * are beside the glass where it is the other one. Modules of 128x128 have
+ * 132x132. */
+extern const struct pel_panel_chip pel_panel_st7735; /* 132x162 */
+extern const struct pel_panel_chip pel_panel_st7735_128x160;
+extern const struct pel_panel_chip pel_panel_st7735_132x132;
 
 /* Monochrome OLEDs, for rotations 0 and 2, and for 1 and 3. */
 extern const struct pel_panel_chip pel_panel_ssd1306; /* 128x64 */
 extern const struct pel_panel_chip pel_panel_ssd1306_turned;
 extern const struct pel_panel_chip pel_panel_ssd1306_32; /* 128x32 */
 extern const struct pel_panel_chip pel_panel_ssd1306_32_turned;
+extern const struct pel_panel_chip pel_panel_ssd1309; /* 128x64 */
+extern const struct pel_panel_chip pel_panel_ssd1309_turned;
 extern const struct pel_panel_chip pel_panel_sh1106; /* 128x64 */
 extern const struct pel_panel_chip pel_panel_sh1106_turned;
+extern const struct pel_panel_chip pel_panel_sh1107; /* 64x128 */
+extern const struct pel_panel_chip pel_panel_sh1107_turned;
+extern const struct pel_panel_chip pel_panel_sh1107_128; /* 128x128 */
+extern const struct pel_panel_chip pel_panel_sh1107_128_turned;
+
+/* Monochrome LCDs, in the same way; their brightness is the contrast. The
+ * PCD8544 knows no turns: in rotations 1 and 2 flush sends copies, and is done
+ * when it returns. Brightness wakes it. */
+extern const struct pel_panel_chip pel_panel_st7565; /* 128x64 (EA DOGM128-6) */
+extern const struct pel_panel_chip pel_panel_st7565_turned;
+extern const struct pel_panel_chip pel_panel_pcd8544; /* 84x48 (Nokia 5110) */
+extern const struct pel_panel_chip pel_panel_pcd8544_turned;
 
 /* OLEDs of 16 greys, upright and not inverted, others are PEL_ERROR_FORMAT. */
 extern const struct pel_panel_chip pel_panel_ssd0323; /* 128x64 */

@@ -36,6 +36,11 @@ struct pel_panel_chip {
     uint8_t window[2][2]; /* commands for x and y, by rotation & 1 */
     uint8_t write;
     uint8_t wide; /* 1: coordinates have two bytes */
+
+    /* Of monochrome ones: sends rows of bytes from a column of the glass on, to
+     * 8 rows of memory from `row` on. */
+    enum pel_status (*page)(const struct pel_panel *panel, int32_t row,
+                            int32_t column, const struct pel_bus_rows *rows);
 };
 
 /* The functions of chips with colors, */
@@ -53,8 +58,6 @@ enum pel_status pel_panel_pages_command(const struct pel_panel *panel,
                                         const uint8_t *list);
 enum pel_status pel_panel_pages_send(const struct pel_panel *panel,
                                      const struct pel_surface *surface);
-/* Sends rows of bytes from a column of the glass on, to 8 rows of the chip's
- * memory from `row` on. */
 enum pel_status pel_panel_page(const struct pel_panel *panel, int32_t row,
                                int32_t column, const struct pel_bus_rows *rows);
 enum pel_status pel_panel_turned_send(const struct pel_panel *panel,
@@ -65,23 +68,25 @@ enum pel_status pel_panel_turned_send(const struct pel_panel *panel,
 extern const uint8_t pel_panel_dcs_wake[], pel_panel_dcs_sleep[];
 extern const uint8_t pel_panel_ssd_wake[], pel_panel_ssd_sleep[];
 
-/* Fields that chips have in common: of MIPI's Display Command Set, with memory
- * of 240 columns, */
-#define PEL_PANEL_DCS                                                          \
-    .wake = pel_panel_dcs_wake, .sleep = pel_panel_dcs_sleep,                  \
-    .command = pel_panel_color_command, .send = pel_panel_color_send,          \
-    .width = 240, .columns = 240,                                              \
-    .formats = {PEL_FORMAT_RGB565_BE, PEL_FORMAT_RGB565_BE}, .swap = 0x08,     \
-    .brightness = 0x51, .window = {{0x2A, 0x2B}, {0x2A, 0x2B}}, .write = 0x2C, \
-    .wide = 1
+/* Fields that chips have in common: of MIPI's Display Command Set, by the
+ * columns of memory, */
+#define PEL_PANEL_DCS(n)                                              \
+    .wake = pel_panel_dcs_wake, .sleep = pel_panel_dcs_sleep,         \
+    .command = pel_panel_color_command, .send = pel_panel_color_send, \
+    .width = n, .columns = n, .swap = 0x08,                           \
+    .window = {{0x2A, 0x2B}, {0x2A, 0x2B}}, .write = 0x2C, .wide = 1
+#define PEL_PANEL_565 .formats = {PEL_FORMAT_RGB565_BE, PEL_FORMAT_RGB565_BE}
 
-/* and monochrome, for half of the rotations. The usual module is upside down,
+/* and monochrome, for half of the rotations; the usual OLED is upside down,
  * which `turn` undoes. */
-#define PEL_PANEL_MONO                                                \
-    .wake = pel_panel_ssd_wake, .sleep = pel_panel_ssd_sleep,         \
-    .command = pel_panel_pages_command, .width = 128,                 \
-    .turn = {{0xA1, 0xC8}, {0xA0, 0xC0}, {0xA0, 0xC0}, {0xA1, 0xC8}}, \
-    .inversion = 0xA6, .brightness = 0x81
+#define PEL_PANEL_MONO                                                         \
+    .wake = pel_panel_ssd_wake, .sleep = pel_panel_ssd_sleep,                  \
+    .command = pel_panel_pages_command, .inversion = 0xA6, .brightness = 0x81, \
+    .page = pel_panel_page
+#define PEL_PANEL_OLED \
+    PEL_PANEL_MONO,    \
+        .width = 128,  \
+        .turn = {{0xA1, 0xC8}, {0xA0, 0xC0}, {0xA0, 0xC0}, {0xA1, 0xC8}}
 #define PEL_PANEL_UPRIGHT \
     .send = pel_panel_pages_send, .formats = {PEL_FORMAT_MONO1_PAGES, 0}
 #define PEL_PANEL_TURNED \

@@ -56,9 +56,10 @@ enum pel_status pel_panel_color_send(const struct pel_panel *panel,
     enum pel_status status = send_window(panel, a);
     if (status != PEL_OK)
         return status;
+    const int32_t bytes = surface->format->bits >> 3;
     struct pel_bus_rows rows = {
-        pel_surface_line(surface, a->y0) + 2 * (a->x0 - surface->bounds.x0),
-        2 * (a->x1 - a->x0), a->y1 - a->y0, surface->stride};
+        pel_surface_line(surface, a->y0) + bytes * (a->x0 - surface->bounds.x0),
+        bytes * (a->x1 - a->x0), a->y1 - a->y0, surface->stride};
     if (rows.length == rows.stride) {
         rows.length *= rows.count;
         rows.count = 1;

@@ -60,9 +60,11 @@ static const uint8_t setup[] = {
 
 /* The usual module has BGR glass. */
 const struct pel_panel_chip pel_panel_gc9a01 = {
-    PEL_PANEL_DCS,
+    PEL_PANEL_DCS(240),
+    PEL_PANEL_565,
     .setup = setup,
     .height = 240,
     .turn = {{0x36, 0x08}, {0x36, 0x68}, {0x36, 0xC8}, {0x36, 0xA8}},
     .inversion = 0x21,
+    .brightness = 0x51,
 };

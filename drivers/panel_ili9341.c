@@ -27,9 +27,11 @@ static const uint8_t setup[] = {
 
 /* The usual module has BGR glass, with its columns from right to left. */
 const struct pel_panel_chip pel_panel_ili9341 = {
-    PEL_PANEL_DCS,
+    PEL_PANEL_DCS(240),
+    PEL_PANEL_565,
     .setup = setup,
     .height = 320,
     .turn = {{0x36, 0x48}, {0x36, 0x28}, {0x36, 0x88}, {0x36, 0xE8}},
     .inversion = 0x20,
+    .brightness = 0x51,
 };

@@ -32,7 +32,7 @@ enum pel_status pel_panel_pages_send(const struct pel_panel *panel,
     enum pel_status status = (a->y0 | a->y1) & 7 ? PEL_ERROR_SIZE : PEL_OK;
     rows.bytes += page * surface->stride + a->x0 - b->x0;
     for (int32_t y = a->y0; y < a->y1 && status == PEL_OK; y += 8) {
-        status = pel_panel_page(panel, panel->from[1] + y, a->x0, &rows);
+        status = panel->chip->page(panel, panel->from[1] + y, a->x0, &rows);
         rows.bytes += surface->stride;
     }
     return status;

@@ -18,11 +18,11 @@ static const uint8_t setup[] = {
 
 /* Memory is 132 columns wide; glass of 128 is wired to those in the middle. */
 const struct pel_panel_chip pel_panel_sh1106 = {
-    PEL_PANEL_MONO, PEL_PANEL_UPRIGHT, .setup = setup,
+    PEL_PANEL_OLED, PEL_PANEL_UPRIGHT, .setup = setup,
     .height = 64,   .columns = 132,    .left = 2,
 };
 
 const struct pel_panel_chip pel_panel_sh1106_turned = {
-    PEL_PANEL_MONO, PEL_PANEL_TURNED, .setup = setup,
+    PEL_PANEL_OLED, PEL_PANEL_TURNED, .setup = setup,
     .height = 64,   .columns = 132,   .left = 2,
 };

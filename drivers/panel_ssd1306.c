@@ -20,21 +20,21 @@ static const uint8_t setup[] = {17, SETUP, 0};
 static const uint8_t setup_32[] = {21, 0xA8, 0x1F, 0xDA, 0x02, SETUP, 0};
 
 const struct pel_panel_chip pel_panel_ssd1306 = {
-    PEL_PANEL_MONO, PEL_PANEL_UPRIGHT, .setup = setup,
+    PEL_PANEL_OLED, PEL_PANEL_UPRIGHT, .setup = setup,
     .height = 64,   .columns = 128,
 };
 
 const struct pel_panel_chip pel_panel_ssd1306_turned = {
-    PEL_PANEL_MONO, PEL_PANEL_TURNED, .setup = setup,
+    PEL_PANEL_OLED, PEL_PANEL_TURNED, .setup = setup,
     .height = 64,   .columns = 128,
 };
 
 const struct pel_panel_chip pel_panel_ssd1306_32 = {
-    PEL_PANEL_MONO, PEL_PANEL_UPRIGHT, .setup = setup_32,
+    PEL_PANEL_OLED, PEL_PANEL_UPRIGHT, .setup = setup_32,
     .height = 32,   .columns = 128,
 };
 
 const struct pel_panel_chip pel_panel_ssd1306_32_turned = {
-    PEL_PANEL_MONO, PEL_PANEL_TURNED, .setup = setup_32,
+    PEL_PANEL_OLED, PEL_PANEL_TURNED, .setup = setup_32,
     .height = 32,   .columns = 128,
 };

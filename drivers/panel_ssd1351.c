@@ -33,7 +33,7 @@ const struct pel_panel_chip pel_panel_ssd1351 = {
     .width = 128,
     .height = 128,
     .columns = 128,
-    .formats = {PEL_FORMAT_RGB565_BE, PEL_FORMAT_RGB565_BE},
+    PEL_PANEL_565,
     .inversion = 0xA6,
     .brightness = 0xC7,
     .shift = 4,

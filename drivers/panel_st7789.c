@@ -13,9 +13,11 @@ static const uint8_t setup[] = {
 };
 
 const struct pel_panel_chip pel_panel_st7789 = {
-    PEL_PANEL_DCS,
+    PEL_PANEL_DCS(240),
+    PEL_PANEL_565,
     .setup = setup,
     .height = 320,
     .turn = {{0x36, 0x00}, {0x36, 0x60}, {0x36, 0xC0}, {0x36, 0xA0}},
     .inversion = 0x21,
+    .brightness = 0x51,
 };

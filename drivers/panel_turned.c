@@ -16,7 +16,7 @@ enum pel_status pel_panel_turned_send(const struct pel_panel *panel,
     const int32_t last = panel->chip->height - 8 - panel->from[1];
     enum pel_status status = (a->x0 | a->x1) & 7 ? PEL_ERROR_SIZE : PEL_OK;
     for (int32_t x = a->x0; x < a->x1 && status == PEL_OK; x += 8) {
-        status = pel_panel_page(panel, last - x, a->y0, &rows);
+        status = panel->chip->page(panel, last - x, a->y0, &rows);
         rows.bytes++;
     }
     return status;

@@ -13,12 +13,21 @@ LINK_SHAPES := triangle triangle_or_line polygon rectangle line thick_line \
     ellipse_outline arc_outline polygon_outline text
 LINK_PAINTS := flat flat_alpha gouraud linear radial conic hue fan nearest \
     nearest_colors bilinear dither user
-LINK_FILES := $(filter-out shape paint pairs,$(basename $(notdir $(wildcard \
-    tests/link/*.c))))
+# Chips of drivers/panel.h, of which every CPU has two.
+LINK_COLOR := st7789 st7735 st7796 ili9341 ili9342 ili9488 gc9a01 ssd1351
+LINK_MONO := ssd1306 ssd1309 sh1106 sh1107 st7565 pcd8544
+LINK_PANELS := $(LINK_COLOR) $(LINK_MONO) ssd0323
+LINK_FORMAT_ili9488 := pel_bgr888
+LINK_FORMAT_ssd0323 := pel_gray4
+link_format = $(or $(LINK_FORMAT_$1),$(if \
+    $(filter $1,$(LINK_COLOR)),pel_rgb565_be_fill,pel_mono1_pages))
+LINK_FILES := $(filter-out shape paint panel panel_times pairs,$(basename $(notdir \
+    $(wildcard tests/link/*.c)))) panel_st7789 panel_ssd1306
 # All of them for two CPUs, of which other ones differ little; at -O2 those of
 # docs/MATRIX.md, which has paints of these two.
 LINK_WHOLE := cortex-m0plus cortex-m4
-LINK_ALL := $(LINK_FILES) $(LINK_SHAPES:%=shape_%) $(LINK_PAINTS:%=paint_%)
+LINK_ALL := $(sort $(LINK_FILES) $(LINK_SHAPES:%=shape_%) \
+    $(LINK_PAINTS:%=paint_%) $(LINK_PANELS:%=panel_%))
 LINK_MATRIX := flat flat_circle_alpha scene
 LINK_BUILDS := $(foreach l,$(MCU_LEVELS),$(MCU_CPUS:%=%-$l))
 LINK_WHOLE_BUILDS := $(foreach l,small Os,$(LINK_WHOLE:%=%-$l))
@@ -52,6 +61,10 @@ $(BUILD)/mcu/$1/tests/link/shape_%.o: tests/link/shape.c | need-arm
 $(BUILD)/mcu/$1/tests/link/paint_%.o: tests/link/paint.c | need-arm
 	@mkdir -p $$(@D)
 	$$(MCU_COMPILE_$1) -DMAKE=make_$$* -c $$< -o $$@
+$(BUILD)/mcu/$1/tests/link/panel_%.o: tests/link/panel.c | need-arm
+	@mkdir -p $$(@D)
+	$$(MCU_COMPILE_$1) -DPANEL=pel_panel_$$* \
+	    -DFORMAT=$$(call link_format,$$*) -c $$< -o $$@
 endef
 $(foreach c,$(MCU_CPUS),$(foreach l,$(MCU_LEVELS),$(eval $(call \
     link_programs,$c-$l,$c))))
@@ -77,12 +90,20 @@ $(BUILD)/link/guide.elf: docs/firmware.md tests/link/guide.sh \
 	    $(LINK_GUIDE)/libdrivers.a $(LINK_GUIDE)/libpel.a \
 	    -o $@
 
+# Built for the host: times follow from bytes.
+$(BUILD)/link/panel_times: tests/link/panel_times.c $(DRIVERS:%.c=$(BUILD)/%.o) \
+    $(BUILD)/libpel.a
+	@mkdir -p $(@D)
+	$(CC) $(PEL_CFLAGS) $(CFLAGS) $^ -o $@
+
 # With ACCEPT=1 what is measured becomes the new limit.
-size: $(MCU_CORE_OBJECTS) $(LINK_ELFS) $(BUILD)/link/guide.elf | need-qemu-arm ## bytes and stack on small CPUs: build/size.tsv
+size: $(MCU_CORE_OBJECTS) $(LINK_ELFS) $(BUILD)/link/guide.elf \
+    $(BUILD)/link/panel_times | need-qemu-arm ## bytes and stack on small CPUs: build/size.tsv
 	printf '%s\n' $(foreach b,$(LINK_BUILDS),'$b $(LINK_PROGRAMS_$b)') | \
 	    tests/link/size.sh $(BUILD) >$(BUILD)/size.tsv
 	tests/link/budgets.sh $(BUILD)/size.tsv $(ACCEPT)
 	bench/mcu/matrix.sh $(ACCEPT)
+	tests/link/panels.sh $(BUILD)/link/panel_times $(ACCEPT)
 	$(foreach b,$(LINK_WHOLE_BUILDS),tests/link/pairs.sh $b \
 	    $(BUILD)/link/$b/pairs.elf $(LINK_STACK_$(lastword $(subst \
 	    -, ,$b))) >$(BUILD)/stack_$b.tsv &&) :

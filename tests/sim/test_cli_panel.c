@@ -42,4 +42,6 @@ TEST(names)
     assert_int_equal(pel_display_panel_open(&panel, &request, &message),
                      EINVAL);
     assert_non_null(strstr(message.text, "unknown panel 'uc1701'"));
+    assert_non_null(strstr(message.text, "one of st7789, st7735, "));
+    assert_non_null(strstr(message.text, ", pcd8544"));
 }

@@ -7,7 +7,7 @@
 
 #include "drivers/bus.h"
 
-enum { BUS_LOG_DATA = 0x100, BUS_LOG_RESET = 0x200, BUS_LOG_SIZE = 400000 };
+enum { BUS_LOG_DATA = 0x100, BUS_LOG_RESET = 0x200, BUS_LOG_SIZE = 500000 };
 
 struct bus_log {
     struct pel_bus bus;

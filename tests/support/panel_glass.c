@@ -9,6 +9,8 @@
  * through columns, MY through rows, in both. */
 enum { MY = 0x80, MX = 0x40, MV = 0x20 };
 
+static int32_t memory[480][320];
+
 /* SSD1351 rev 1.5 pages 32 and 33, A0h: A[0] vertical increment, A[1]
  * column 127 is SEG0, A[4] COM scanned backwards. */
 enum { VERTICAL = 1, REMAP = 2, SCAN = 16 };
@@ -17,17 +19,18 @@ void panel_glass_reset(struct panel_glass *g)
 {
     g->inverted = g->on = g->awake = false;
     g->direction = 0;
-    g->segments = g->scan = false;
+    g->segments = g->scan = g->extended = false;
     g->command = -1;
-    g->multiplex = g->rows;
-    memset(g->memory, 0, sizeof g->memory);
+    g->multiplex = g->family == PANEL_SH1107 ? 128 : g->rows;
+    g->offset = 0;
+    memset(memory, 0, sizeof memory);
 }
 
 static void set_pixel(struct panel_glass *g, int column, int row, int value)
 {
     assert_in_range(column, 0, g->columns - 1);
     assert_in_range(row, 0, g->rows - 1);
-    g->memory[row][column] = (uint16_t)value;
+    memory[row][column] = value;
 }
 
 /* One step in the window: along `first`, then along the other. */
@@ -62,15 +65,18 @@ static void write_ssd1351(struct panel_glass *g, int value)
         advance(g->at, g->x, g->y, 0);
 }
 
+/* ST7735 V1.7 page 94 on, ILI9488 V090 page 121 on: two bytes at 16 bits a
+ * pixel, three at 18, each of which has its channel in the upper six. */
 static void take_color(struct panel_glass *g, int byte)
 {
-    if (g->high < 0) {
-        g->high = byte;
+    const bool wide = g->family == PANEL_DCS && (g->depth & 7) == 6;
+    if (wide)
+        byte &= 0xFC;
+    g->pixel = g->pixel << 8 | byte;
+    if (++g->bytes < (wide ? 3 : 2))
         return;
-    }
-    (g->family == PANEL_DCS ? write_dcs : write_ssd1351)(g,
-                                                         g->high << 8 | byte);
-    g->high = -1;
+    (g->family == PANEL_DCS ? write_dcs : write_ssd1351)(g, g->pixel);
+    g->bytes = g->pixel = 0;
 }
 
 /* Commands without parameters, of the family of MIPI's DCS and of Solomon's. */
@@ -79,7 +85,7 @@ static void command(struct panel_glass *g, int byte)
     const bool dcs = g->family == PANEL_DCS;
     g->command = byte;
     g->parameter = 0;
-    g->high = -1;
+    g->bytes = g->pixel = 0;
     g->at[0] = g->x[0];
     g->at[1] = g->y[0];
     if (byte == (dcs ? 0x20 : 0xA6) || byte == (dcs ? 0x21 : 0xA7))
@@ -125,31 +131,40 @@ static void take_parameter(struct panel_glass *g, int byte)
     g->parameter++;
 }
 
-/* SSD1306 rev 1.1 pages 28 to 32, table 9-1, and SH1106, "Commands". True
- * where one parameter follows, which has D/C low as well. */
-static bool takes_parameter(int c)
+/* SSD1306 rev 1.1 pages 28 to 32, table 9-1; SSD1309 rev 1.1, table 9-1; SH1106
+ * and SH1107, "Commands"; ST7565R V1.5, table 16. True where one parameter
+ * follows, which has D/C low as well. */
+static bool takes_parameter(const struct panel_glass *g, int c)
 {
-    return c == 0x20 || c == 0x81 || c == 0x8D || c == 0xA8 || c == 0xAD ||
-           c == 0xD3 || c == 0xD5 || c == 0xD9 || c == 0xDA || c == 0xDB;
+    return (c == 0x20 && g->family == PANEL_PAGES) || c == 0x81 || c == 0x8D ||
+           c == 0xA8 || c == 0xAD || c == 0xD3 || c == 0xD5 || c == 0xD9 ||
+           c == 0xDA || c == 0xDB || c == 0xDC || c == 0xF8 || c == 0xFD;
+}
+
+static void take_page_parameter(struct panel_glass *g, int byte)
+{
+    if (g->command == 0xA8)
+        g->multiplex = byte + 1;
+    if (g->command == 0x81)
+        g->brightness = byte;
+    if (g->command == 0xD3)
+        g->offset = byte;
+    assert_false(g->command == 0x20 && byte != 2);
+    g->command = -1;
 }
 
 static void take_page_command(struct panel_glass *g, int byte)
 {
     if (g->command >= 0) {
-        if (g->command == 0xA8)
-            g->multiplex = byte + 1;
-        if (g->command == 0x81)
-            g->brightness = byte;
-        assert_false(g->command == 0x20 && byte != 2);
-        g->command = -1;
-    } else if (takes_parameter(byte)) {
+        take_page_parameter(g, byte);
+    } else if (takes_parameter(g, byte)) {
         g->command = byte;
     } else if (byte < 0x10) {
         g->at[0] = (g->at[0] & 0xF0) | byte;
     } else if (byte < 0x20) {
         g->at[0] = (g->at[0] & 0x0F) | (byte & 15) << 4;
-    } else if (byte >= 0xB0 && byte < 0xB8) {
-        g->at[1] = byte & 7;
+    } else if (byte >= 0xB0 && byte < (g->rows > 64 ? 0xC0 : 0xB9)) {
+        g->at[1] = byte & 15;
     } else if ((byte & ~1) == 0xA0) {
         g->segments = byte & 1;
     } else if ((byte & ~8) == 0xC0) {
@@ -160,14 +175,52 @@ static void take_page_command(struct panel_glass *g, int byte)
     }
 }
 
+/* PCD8544, 1999 Apr 12, table 1 and section 8: with H 0 and 1. */
+static void take_pcd8544_command(struct panel_glass *g, int byte)
+{
+    if ((byte & 0xF8) == 0x20) {
+        g->awake = !(byte & 4);
+        assert_false(byte & 2); /* column by column */
+        g->extended = byte & 1;
+    } else if (g->extended && byte & 0x80) {
+        g->brightness = byte & 0x7F;
+    } else if (g->extended) {
+        assert_true((byte & 0xFC) == 4 || (byte & 0xF8) == 0x10);
+    } else if (byte & 0x80) {
+        g->at[0] = byte & 0x7F;
+    } else if (byte & 0x40) {
+        g->at[1] = byte & 7;
+    } else {
+        assert_int_equal(byte & ~5, 8);
+        g->inverted = byte & 1;
+        g->on = byte & 4;
+    }
+}
+
 /* SSD1306 rev 1.5 page 26: a byte is 8 rows of a column, D0 the top one. The
- * column steps on, the page does not. */
+ * column steps on, the page does not. Of an SH1107 the rows are what its
+ * segments show. */
 static void take_page_data(struct panel_glass *g, int byte)
 {
-    const int column = g->at[0]++;
-    for (int i = 0; i < 8; i++)
-        set_pixel(g, g->segments ? g->columns - 1 - column : column,
-                  g->at[1] * 8 + i, byte >> i & 1);
+    int column = g->at[0]++;
+    const bool across = g->family == PANEL_SH1107;
+    if (g->segments && !across)
+        column = g->columns - 1 - column;
+    for (int i = 0; i < 8; i++) {
+        const int row = g->at[1] * 8 + i;
+        set_pixel(g, column, g->segments && across ? g->rows - 1 - row : row,
+                  byte >> i & 1);
+    }
+}
+
+static void take_command(struct panel_glass *g, int byte)
+{
+    if (g->family == PANEL_PCD8544)
+        take_pcd8544_command(g, byte);
+    else if (g->family >= PANEL_PAGES)
+        take_page_command(g, byte);
+    else
+        command(g, byte);
 }
 
 int panel_glass_take(struct panel_glass *g, const struct bus_log *log, int from)
@@ -176,11 +229,11 @@ int panel_glass_take(struct panel_glass *g, const struct bus_log *log, int from)
         const int entry = log->log[from], byte = entry & 0xFF;
         if (entry == BUS_LOG_RESET)
             panel_glass_reset(g);
-        else if (g->family == PANEL_PAGES)
-            (entry & BUS_LOG_DATA ? take_page_data : take_page_command)(g,
-                                                                        byte);
+        else if (!(entry & BUS_LOG_DATA))
+            take_command(g, byte);
         else
-            (entry & BUS_LOG_DATA ? take_parameter : command)(g, byte);
+            (g->family >= PANEL_PAGES ? take_page_data : take_parameter)(g,
+                                                                         byte);
     }
     return from;
 }
@@ -189,11 +242,12 @@ int panel_glass_pixel(const struct panel_glass *g, int x, int y)
 {
     int column = g->left + x, row = g->top + y;
     const int rows = g->family == PANEL_PAGES ? g->multiplex : g->rows;
-    if (g->columns_backward)
+    const bool across = g->family == PANEL_SH1107;
+    if (g->columns_backward != (g->scan && across))
         column = g->columns - 1 - column;
-    if (g->rows_backward != g->scan)
+    if (g->rows_backward != (g->scan && !across))
         row = rows - 1 - row;
-    return g->memory[row][column];
+    return memory[row][column];
 }
 
 void panel_glass_turn(int rotation, int width, int height, int at[2])
@@ -213,6 +267,9 @@ static int frame_pixel(const struct pel_surface *s, int x, int y)
     bytes += y * s->stride;
     if (s->format->id == PEL_FORMAT_MONO1)
         return bytes[x / 8] >> (7 - (x & 7)) & 1;
+    if (s->format->id == PEL_FORMAT_BGR888)
+        return (bytes[3 * x] << 16 | bytes[3 * x + 1] << 8 | bytes[3 * x + 2]) &
+               0xFCFCFC;
     return bytes[2 * x] << 8 | bytes[2 * x + 1];
 }
 

@@ -6,7 +6,13 @@
 #include "bus_log.h"
 #include "core/pel.h"
 
-enum panel_family { PANEL_DCS, PANEL_SSD1351, PANEL_PAGES };
+enum panel_family {
+    PANEL_DCS,
+    PANEL_SSD1351,
+    PANEL_PAGES,  /* SSD1306, SSD1309, SH1106, ST7565 */
+    PANEL_SH1107, /* the same, but that pages are of columns of the chip */
+    PANEL_PCD8544
+};
 
 struct panel_glass {
     /* The chip and how a module is wired to it, set by the test. */
@@ -23,26 +29,28 @@ struct panel_glass {
     int brightness;
     int command, parameter;
     int x[2], y[2], at[2]; /* window and place, as the chip counts */
-    int high;              /* first byte of a pixel, or -1 */
+    int bytes, pixel;      /* those of a pixel that came, and their value */
     bool segments, scan;   /* A1h, C8h */
-    int multiplex;
-    uint16_t memory[320][240];
+    bool extended;         /* the other set of commands of a PCD8544 */
+    int multiplex, offset; /* A8h, D3h */
 };
 
+/* Of what memory holds afterwards there is one for all: one glass at a time. */
 void panel_glass_reset(struct panel_glass *glass);
 
 /* Takes what came since index `from` of the log; the new end. */
 int panel_glass_take(struct panel_glass *glass, const struct bus_log *log,
                      int from);
 
-/* A pixel of the upright glass: 16 bits, or 0 and 1. */
+/* A pixel of the upright glass: 16 bits, or 24 of which the chip has 6 of each
+ * channel, or 0 and 1. */
 int panel_glass_pixel(const struct panel_glass *glass, int x, int y);
 
 /* Where an upright glass of that size has its pixel `at`, the same in a picture
  * that is turned by so many quarters. */
 void panel_glass_turn(int rotation, int width, int height, int at[2]);
 
-/* Does the glass show a turned frame of 16 bits or 1 bit a pixel, by its bytes?
+/* Does the glass show a turned frame of 24, 16 or 1 bit a pixel, by its bytes?
  * False: not at `at` of the glass. */
 bool panel_glass_shows(const struct panel_glass *glass,
                        const struct pel_surface *frame, int rotation,

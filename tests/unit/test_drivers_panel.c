@@ -16,14 +16,21 @@ struct module {
     int width, height;
     bool inverted; /* as the usual module wants it */
     int bgr;       /* the bit of the direction byte, as it wants it */
+    int shift;     /* how many bits of brightness less than 8 there are */
     struct pel_panel panel;
 };
 
 /* The glass of each family: the size of its memory, and where it lies there. */
-#define DCS(rows_, backward, left_, top_)                        \
+#define DCS(columns_, rows_, backward, left_, top_)              \
     {                                                            \
-        .family = PANEL_DCS, .columns = 240, .rows = rows_,      \
+        .family = PANEL_DCS, .columns = columns_, .rows = rows_, \
         .columns_backward = backward, .left = left_, .top = top_ \
+    }
+#define ST7735(columns_, rows_, left_, top_)                            \
+    {                                                                   \
+        .family = PANEL_DCS, .columns = columns_, .rows = rows_,        \
+        .columns_backward = true, .rows_backward = true, .left = left_, \
+        .top = top_                                                     \
     }
 #define SSD1351(top_)                                         \
     {                                                         \
@@ -36,51 +43,94 @@ struct module {
         .columns_backward = true, .rows_backward = true, .left = left_, \
         .top = top_                                                     \
     }
+#define SH1107(columns_)                                         \
+    {                                                            \
+        .family = PANEL_SH1107, .columns = columns_, .rows = 128 \
+    }
+#define ST7565                                             \
+    {                                                      \
+        .family = PANEL_PAGES, .columns = 132, .rows = 64, \
+        .columns_backward = true                           \
+    }
+#define PCD8544(left_, top_)                                               \
+    {                                                                      \
+        .family = PANEL_PCD8544, .columns = 84, .rows = 48, .left = left_, \
+        .top = top_                                                        \
+    }
 #define PART(width_, height_, left_, top_) \
     .width = width_, .height = height_, .left = left_, .top = top_
 #define WHOLE .rotation = 0
-/* Behind `bgr` comes what the panel is told. */
+/* Behind `shift` comes what the panel is told. */
 #define MODULE(name, upright, turned, glass, width, height, inverted, bgr, \
-               ...)                                                        \
+               shift, ...)                                                 \
     {                                                                      \
         name, {&pel_panel_##upright, &pel_panel_##turned}, glass, width,   \
-            height, inverted, bgr,                                         \
+            height, inverted, bgr, shift,                                  \
         {                                                                  \
             __VA_ARGS__                                                    \
         }                                                                  \
     }
 
 static const struct module modules[] = {
-    MODULE("st7789 240x320", st7789, st7789, DCS(320, false, 0, 0), 240, 320,
-           true, 0, WHOLE),
-    MODULE("st7789 240x240", st7789, st7789, DCS(320, false, 0, 0), 240, 240,
-           true, 0, PEL_PANEL_240X240),
-    MODULE("st7789 135x240", st7789, st7789, DCS(320, false, 52, 40), 135, 240,
-           true, 0, PEL_PANEL_135X240),
-    MODULE("st7789 170x320", st7789, st7789, DCS(320, false, 35, 0), 170, 320,
-           true, 0, PEL_PANEL_170X320),
-    MODULE("st7789 240x280", st7789, st7789, DCS(320, false, 0, 20), 240, 280,
-           true, 0, PEL_PANEL_240X280),
-    MODULE("st7789, other glass", st7789, st7789, DCS(320, false, 7, 100), 80,
-           160, false, 8, PART(80, 160, 7, 100), .inverted = true,
+    MODULE("st7789 240x320", st7789, st7789, DCS(240, 320, false, 0, 0), 240,
+           320, true, 0, 0, WHOLE),
+    MODULE("st7789 240x240", st7789, st7789, DCS(240, 320, false, 0, 0), 240,
+           240, true, 0, 0, PEL_PANEL_240X240),
+    MODULE("st7789 135x240", st7789, st7789, DCS(240, 320, false, 52, 40), 135,
+           240, true, 0, 0, PEL_PANEL_135X240),
+    MODULE("st7789 170x320", st7789, st7789, DCS(240, 320, false, 35, 0), 170,
+           320, true, 0, 0, PEL_PANEL_170X320),
+    MODULE("st7789 240x280", st7789, st7789, DCS(240, 320, false, 0, 20), 240,
+           280, true, 0, 0, PEL_PANEL_240X280),
+    MODULE("st7789, other glass", st7789, st7789, DCS(240, 320, false, 7, 100),
+           80, 160, false, 8, 0, PART(80, 160, 7, 100), .inverted = true,
            .swapped = true),
-    MODULE("ili9341", ili9341, ili9341, DCS(320, true, 0, 0), 240, 320, false,
-           8, WHOLE),
-    MODULE("gc9a01", gc9a01, gc9a01, DCS(240, false, 0, 0), 240, 240, true, 8,
+    MODULE("ili9341", ili9341, ili9341, DCS(240, 320, true, 0, 0), 240, 320,
+           false, 8, 0, WHOLE),
+    MODULE("gc9a01", gc9a01, gc9a01, DCS(240, 240, false, 0, 0), 240, 240, true,
+           8, 0, WHOLE),
+    MODULE("ssd1351", ssd1351, ssd1351, SSD1351(0), 128, 128, false, 4, 4,
            WHOLE),
-    MODULE("ssd1351", ssd1351, ssd1351, SSD1351(0), 128, 128, false, 4, WHOLE),
     MODULE("ssd1351 128x96", ssd1351, ssd1351, SSD1351(32), 128, 96, false, 0,
-           PART(128, 96, 0, 32), .swapped = true),
+           4, PART(128, 96, 0, 32), .swapped = true),
     MODULE("ssd1306", ssd1306, ssd1306_turned, PAGES(128, 0, 0), 128, 64, false,
-           0, WHOLE),
+           0, 0, WHOLE),
     MODULE("ssd1306 128x32", ssd1306_32, ssd1306_32_turned, PAGES(128, 0, 0),
-           128, 32, true, 0, .inverted = true),
+           128, 32, true, 0, 0, .inverted = true),
     MODULE("ssd1306 72x40", ssd1306, ssd1306_turned, PAGES(128, 28, 16), 72, 40,
-           false, 0, PART(72, 40, 28, 16)),
+           false, 0, 0, PART(72, 40, 28, 16)),
     MODULE("sh1106", sh1106, sh1106_turned, PAGES(132, 2, 0), 128, 64, false, 0,
+           0, WHOLE),
+    MODULE("st7735 128x160", st7735, st7735, ST7735(132, 162, 2, 1), 128, 160,
+           false, 8, 8, PEL_PANEL_128X160),
+    MODULE("st7735 80x160", st7735, st7735, ST7735(132, 162, 26, 1), 80, 160,
+           true, 8, 8, PEL_PANEL_80X160, .inverted = true),
+    MODULE("st7735, black tab", st7735_128x160, st7735_128x160,
+           ST7735(128, 160, 0, 0), 128, 160, false, 0, 8, WHOLE),
+    MODULE("st7735 80x160, RGB", st7735_128x160, st7735_128x160,
+           ST7735(128, 160, 24, 0), 80, 160, false, 0, 8, PART(80, 160, 24, 0)),
+    MODULE("st7735 128x128", st7735_132x132, st7735_132x132,
+           ST7735(132, 132, 2, 3), 128, 128, false, 8, 8, PEL_PANEL_128X128),
+    MODULE("ili9488", ili9488, ili9488, DCS(320, 480, true, 0, 0), 320, 480,
+           false, 8, 0, WHOLE),
+    MODULE("st7796", st7796, st7796, DCS(320, 480, true, 0, 0), 320, 480, false,
+           8, 0, WHOLE),
+    MODULE("ili9342", ili9342, ili9342, DCS(320, 240, false, 0, 0), 320, 240,
+           true, 8, 0, WHOLE),
+    MODULE("ssd1309", ssd1309, ssd1309_turned, PAGES(128, 0, 0), 128, 64, false,
+           0, 0, WHOLE),
+    MODULE("sh1107", sh1107, sh1107_turned, SH1107(64), 64, 128, false, 0, 0,
            WHOLE),
+    MODULE("sh1107 128x128", sh1107_128, sh1107_128_turned, SH1107(128), 128,
+           128, false, 0, 0, WHOLE),
+    MODULE("st7565", st7565, st7565_turned, ST7565, 128, 64, false, 0, 2,
+           WHOLE),
+    MODULE("pcd8544", pcd8544, pcd8544_turned, PCD8544(0, 0), 84, 48, false, 0,
+           1, WHOLE),
+    MODULE("pcd8544, a part", pcd8544, pcd8544_turned, PCD8544(10, 8), 60, 32,
+           true, 0, 1, PART(60, 32, 10, 8), .inverted = true),
 };
-enum { MODULES = sizeof modules / sizeof *modules, BYTES = 320 * 320 * 2 };
+enum { MODULES = sizeof modules / sizeof *modules, BYTES = 328 * 488 * 3 };
 
 static struct bus_log bus;
 static uint8_t memory[BYTES], shown[BYTES];
@@ -97,9 +147,10 @@ struct fixture {
 
 static const struct pel_format *format_of(const struct module *m, int rotation)
 {
-    return m->glass.family != PANEL_PAGES ? &pel_rgb565_be
-           : rotation & 1                 ? &pel_mono1
-                                          : &pel_mono1_pages;
+    return m->chip[0] == &pel_panel_ili9488 ? &pel_bgr888
+           : m->glass.family < PANEL_PAGES  ? &pel_rgb565_be
+           : rotation & 1                   ? &pel_mono1
+                                            : &pel_mono1_pages;
 }
 
 static enum pel_status set_up(struct fixture *f, const struct module *m,
@@ -135,24 +186,34 @@ static void check_glass(struct fixture *f)
                  panel_glass_pixel(&f->glass, at[0], at[1]), cases_replay());
 }
 
+static void check_lines(const struct fixture *f)
+{
+    const struct panel_glass *g = &f->glass;
+    const struct pel_panel_chip *chip = f->panel.chip;
+    const bool narrow =
+        chip == &pel_panel_ssd1306_32 || chip == &pel_panel_ssd1306_32_turned;
+    if (g->family == PANEL_PAGES)
+        assert_int_equal(g->multiplex, narrow ? 32 : 64);
+    if (g->family == PANEL_SH1107) {
+        assert_int_equal(g->multiplex, g->columns);
+        assert_int_equal(g->offset, g->columns == 64 ? 96 : 0);
+    }
+}
+
 static void check_state(const struct fixture *f)
 {
     const struct panel_glass *g = &f->glass;
     assert_true(g->on && g->awake);
     assert_true(g->inverted == f->module->inverted);
     if (g->family == PANEL_DCS) {
-        assert_int_equal(g->depth & 7, 5);
-        assert_int_equal(g->brightness, 255);
+        assert_int_equal(g->depth & 7,
+                         f->panel.chip == &pel_panel_ili9488 ? 6 : 5);
+        assert_int_equal(g->brightness, 255 >> f->module->shift);
     }
-    if (g->family == PANEL_PAGES)
-        assert_int_equal(g->multiplex,
-                         f->panel.chip == &pel_panel_ssd1306_32 ||
-                                 f->panel.chip == &pel_panel_ssd1306_32_turned
-                             ? 32
-                             : 64);
-    else
+    if (g->family < PANEL_PAGES)
         assert_int_equal(g->direction & (g->family == PANEL_DCS ? 8 : 4),
                          f->module->bgr);
+    check_lines(f);
 }
 
 static struct pel_rect any_area(struct random *r, const struct pel_display *d)
@@ -229,9 +290,9 @@ TEST(brightness_and_sleep)
         pel_panel_brightness(&f.panel, 0x9C);
         pel_panel_sleep(&f.panel, true);
         f.read = panel_glass_take(&f.glass, &bus, f.read);
-        assert_int_equal(f.glass.brightness,
-                         f.glass.family == PANEL_SSD1351 ? 9 : 0x9C);
-        assert_false(f.glass.on || f.glass.awake);
+        assert_int_equal(f.glass.brightness, 0x9C >> f.module->shift);
+        assert_false(f.glass.on && f.glass.family != PANEL_PCD8544);
+        assert_false(f.glass.awake);
         pel_panel_sleep(&f.panel, false);
         panel_glass_take(&f.glass, &bus, f.read);
         assert_true(f.glass.on && f.glass.awake);
@@ -296,7 +357,7 @@ TEST(what_is_refused)
         const int calls = bus.calls;
         assert_int_equal(pel_display_flush(&f.display, &s), PEL_ERROR_SIZE);
         s.clip = (struct pel_rect){3, 3, 11, 11};
-        if (m->glass.family == PANEL_PAGES)
+        if (m->glass.family >= PANEL_PAGES)
             assert_int_equal(pel_display_flush(&f.display, &s), PEL_ERROR_SIZE);
         s.clip.x1 = 3;
         assert_int_equal(pel_display_flush(&f.display, &s), PEL_OK);

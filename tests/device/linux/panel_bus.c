@@ -19,7 +19,7 @@
 #include "drivers/display_linux_panel.h"
 #include "tests/support/panel_glass.h"
 
-enum { BUFSIZ_OF_SPIDEV = 4096, CACHE_LINE = 128, DEVICES = 4 };
+enum { BUFSIZ_OF_SPIDEV = 4096, CACHE_LINE = 128, DEVICES = 6, FAILING = 4 };
 
 static struct bus_log wire; /* what went over it */
 static struct panel_glass glass;
@@ -49,7 +49,7 @@ static bool in_frame(const uint8_t *bytes)
 {
     const uint8_t *pixels = panel.frame.pixels;
     return pixels && bytes >= pixels &&
-           bytes < pixels + (size_t)display.width * (size_t)display.height * 2;
+           bytes < pixels + (size_t)display.width * (size_t)display.height * 3;
 }
 
 static void take_spi(const struct spi_ioc_transfer *t, size_t n)
@@ -181,6 +181,22 @@ static const struct {
     {"ssd1306,i2c=/dev/i2c-1,address=61,size=128x32,rotation=270,inverted",
      {32, 128},
      {OLED}},
+    {"ili9488,spi=/dev/spidev0.0,speed=40M,mode=3,dc=GPIO25,rotation=180",
+     {320, 480},
+     {.family = PANEL_DCS,
+      .columns = 320,
+      .rows = 480,
+      .columns_backward = true}},
+    {"st7735,spi=/dev/spidev0.0,speed=40M,mode=3,dc=GPIO25,size=80x160,"
+     "rotation=270",
+     {160, 80},
+     {.family = PANEL_DCS,
+      .columns = 132,
+      .rows = 162,
+      .columns_backward = true,
+      .rows_backward = true,
+      .left = 26,
+      .top = 1}},
 };
 
 static int open_device(int i)
@@ -275,9 +291,9 @@ TEST(every_call_that_fails)
                                  ENOMEM, EMSGSIZE, ETIMEDOUT, ESHUTDOWN,
                                  ENOTTY, EINTR,    EAGAIN};
     const int files = next_descriptor();
-    for (size_t k = 0; k < DEVICES * sizeof errors / sizeof *errors; k++) {
-        const int i = (int)k % DEVICES;
-        error_given = errors[k / DEVICES];
+    for (size_t k = 0; k < FAILING * sizeof errors / sizeof *errors; k++) {
+        const int i = (int)k % FAILING;
+        error_given = errors[k / FAILING];
         calls = fail_at = 0;
         do {
             fail_at++;

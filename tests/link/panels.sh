@@ -1,0 +1,39 @@
+#!/bin/sh
+# panels.sh TIMES [1] : the table of panels in docs/PANELS.md follows from the
+# budgets and from what the program TIMES says; with 1 writes it anew.
+set -eu
+sizes=tests/link/budgets.tsv
+document=docs/PANELS.md
+
+page() {
+    cat <<'END'
+# Panels
+
+The chips of [drivers/panel.h](../drivers/panel.h), each a const object, and the
+modules that their values are meant for. All four rotations are there, but where the
+table says otherwise: `tests/unit/test_drivers_panel.c` sends pictures of every
+size and place to a model of each chip, written from its data sheet alone, which
+has to show them. No model knows all glass: where a module shows another picture,
+`inverted`, `swapped`, `left` and `top` of struct pel_panel tell the driver.
+
+Flash and stack in bytes of a Cortex-M0+ (`make size`): the driver with all that it
+needs of drivers/, without the board's bus. Beside the stack a panel takes 72
+bytes of RAM, two structs, and the pixels that the program draws into. Times are
+those of the wire, in ms, at the clock of usual modules: from the reset to the
+first frame, a frame, and a part of 32 x 32 pixels.
+
+| chip | modules | flash | stack | wire | first frame | frame | 32 x 32 |
+|---|---|---:|---:|---|---:|---:|---:|
+END
+    "$1" | awk -F '\t' '
+        FILENAME == "-" {
+            k = "cortex-m0plus-Os" SUBSEP "panel_" $1
+            print "| `" $1 "` | " $2 " | " text[k] " | " stack[k] " | " $3 \
+                " | " $4 " | " $5 " | " $6 " |"
+            next
+        }
+        { text[$1, $2] = $3; stack[$1, $2] = $5 }' "$sizes" -
+}
+
+[ -z "${2-}" ] || page "$1" >"$document"
+page "$1" | cmp - "$document"
