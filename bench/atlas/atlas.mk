@@ -2,7 +2,7 @@
 
 ATLAS := $(BENCH)/pel-atlas
 ATLAS_SOURCES := $(wildcard bench/atlas/*.c bench/methods/*.c) bench/timing.c \
-    tests/support/reference.c
+    tests/support/reference.c tests/support/exact_area.c
 ATLAS_FAST := $(wildcard bench/methods/*.c) bench/atlas/sheet.c
 ATLAS_OBJECTS := $(ATLAS_SOURCES:%.c=$(BENCH)/host/%.o) \
     $(BENCH)/scene/methods.o $(BUILD)/libpel.a
