@@ -7,10 +7,10 @@ enum { WINDOW = PEL_SMOOTH_WINDOW };
 void pel_smooth_rows_put(struct pel_smooth_rows *rows,
                          struct pel_smooth_row *row)
 {
-    pel_smooth_paint(&rows->smooth, row);
+    rows->paint(&rows->smooth, row);
     row->y = rows->image_y - row->y;
     if (rows->twins && rows->image_y != 2 * row->y)
-        pel_smooth_paint(&rows->smooth, row);
+        rows->paint(&rows->smooth, row);
 }
 
 /* The coverage of a window of columns, into `to` and on by `step`, 1 or -1. The
@@ -186,6 +186,7 @@ bool pel_smooth_rows_begin(struct pel_smooth_rows *rows,
     const int32_t bottom = pel_pixel_of(round->bottom + round->radius + 255);
     const int32_t sum = round->top + round->bottom;
     struct pel_span *const seen = &rows->rows;
+    rows->paint = pel_smooth_paint;
     seen->x0 = pel_max(top, clip->y0);
     seen->x1 = pel_min(bottom, clip->y1);
     rows->image_y = pel_pixel_of(sum) - 1;

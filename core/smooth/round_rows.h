@@ -13,6 +13,7 @@ struct pel_smooth_rows {
     bool twins;           /* rows are painted with their images */
     bool inside;          /* no column is clipped away */
     bool twin_columns;    /* the left side mirrors the right one, by columns */
+    void (*paint)(struct pel_smooth *smooth, const struct pel_smooth_row *row);
     uint8_t coverage[2 * PEL_SMOOTH_WINDOW];
 };
 

@@ -2,29 +2,49 @@
 
 #include "../base/trig.h"
 #include "../round/angle_range.h"
-#include "path.h"
+#include "arc_ends.h"
+#include "ring_rows.h"
+#include "smooth_ring.h"
 
-/* A point on the ray of direction d, 2^-16 px from its beginning. The length of
- * d is 2^15 (1 + e / 2), |e| < 2^-14: products are below 2^23 2^15, then 2^31
- * 2^17. */
-static struct pel_smooth_place place_at(struct pel_point d, int32_t radius)
+/* The ring's rows, and what they lack of an arc. */
+struct body {
+    struct pel_smooth_ring_walk ring; /* first */
+    struct pel_smooth_ends ends;
+};
+
+static void paint_part(struct pel_smooth *smooth,
+                       const struct pel_smooth_row *row)
 {
-    const int32_t e = d.x * d.x + d.y * d.y - (1 << 30); /* 2^-30 */
-    const int64_t x = pel_product(d.x, radius) >> 7;
-    const int64_t y = pel_product(d.y, radius) >> 7;
-    return (struct pel_smooth_place){
-        (int32_t)(x - (pel_long_product((int32_t)x, e) >> 31)),
-        (int32_t)(y - (pel_long_product((int32_t)y, e) >> 31))};
+    struct body *const body = (struct body *)(void *)smooth;
+    pel_smooth_ends_paint(&body->ends, smooth, row);
 }
 
-/* Closes what rounding leaves open between two heights: `at` and 2^-16 px from
- * there is a point near by. */
-static void add_gap(struct pel_smooth_path *path, struct pel_point at,
-                    int32_t x, int64_t from, int64_t to)
+/* The rows of less than half of a ring are those of a box around it. */
+static PEL_NOINLINE void paint_body(const struct pel_surface *surface,
+                                    const struct pel_arc_shape *arc,
+                                    const struct pel_rect *box, bool round,
+                                    const struct pel_paint *paint)
 {
-    const struct pel_smooth_way down = {at, {0, 1}, {x, 0}};
-    pel_smooth_path_line(path, &down, from, to);
+    const struct pel_ring_shape ring = {arc->center, arc->inner, arc->outer};
+    struct pel_surface part = *surface;
+    struct body body;
+    if ((uint16_t)(arc->to - arc->from) < 32768)
+        part.clip = *box;
+    if (!pel_smooth_ring_begin(&body.ring, &part, &ring, paint))
+        return;
+    pel_smooth_ends_set(&body.ends, arc, round);
+    body.ring.rows.paint = paint_part;
+    pel_smooth_ring_rows(&body.ring);
 }
+
+/* What is painted near the ends. */
+struct tips {
+    struct pel_smooth smooth;
+    struct pel_smooth_ends ends;
+    int bows, lines;
+    struct pel_smooth_bow bow[4];
+    struct pel_smooth_line line[4];
+};
 
 /* An end of an arc: at its beginning the outline goes outwards. */
 struct end {
@@ -33,88 +53,159 @@ struct end {
     bool begins;
 };
 
-/* The height of the ray of an end at the circle where the outline comes, or
- * where it goes on. */
-static int64_t height_of(const struct end *end, bool comes)
+/* Where the outline comes to an end from its circle, or goes on. */
+static struct pel_smooth_place place_of(const struct end *end, bool comes)
 {
     const struct pel_arc_shape *const arc = end->arc;
     const int32_t radius = end->begins == comes ? arc->inner : arc->outer;
-    const struct pel_smooth_place p =
-        place_at(pel_direction(end->angle), radius);
-    return (int64_t)arc->center.y * 256 + p.y;
+    return pel_smooth_place_at(pel_direction(end->angle), radius);
 }
 
-/* The centre of a half disc. */
-static struct pel_point center_of(const struct end *end)
+static void add_line(struct tips *tips, struct pel_point base,
+                     struct pel_point direction, struct pel_smooth_place from,
+                     struct pel_smooth_place to)
+{
+    if (from.y != to.y)
+        pel_smooth_line_set(&tips->line[tips->lines++], base, direction, from,
+                            to);
+}
+
+/* Closes what rounding leaves open between the heights of two places. */
+static void add_gap(struct tips *tips, struct pel_point at, int32_t x,
+                    int32_t from, int32_t to)
+{
+    static const struct pel_point down = {0, 1};
+    add_line(tips, at, down, (struct pel_smooth_place){x, from},
+             (struct pel_smooth_place){x, to});
+}
+
+static void add_bow(struct tips *tips, const struct pel_smooth_bow *bow,
+                    int32_t radius)
+{
+    if (radius == 0)
+        return;
+    tips->bow[tips->bows] = *bow;
+    pel_smooth_bow_set(&tips->bow[tips->bows++], radius);
+}
+
+static void add_half(struct tips *tips, const struct end *end)
 {
     const struct pel_arc_shape *const arc = end->arc;
-    const struct pel_smooth_place m =
-        place_at(pel_direction(end->angle), (arc->inner + arc->outer) >> 1);
-    return (struct pel_point){arc->center.x + ((m.x + 128) >> 8),
-                              arc->center.y + ((m.y + 128) >> 8)};
-}
-
-static void add_half(struct pel_smooth_path *path, const struct end *end)
-{
-    const int32_t radius = (end->arc->outer - end->arc->inner) >> 1;
-    const struct pel_point at = center_of(end);
-    const int64_t y = (int64_t)at.y * 256;
+    const int32_t radius = (arc->outer - arc->inner) >> 1;
+    const struct pel_point at = pel_smooth_end_center(arc, end->angle);
+    const int32_t up = (arc->center.y - at.y) * 256;
     const uint16_t angle = (uint16_t)(end->angle + (end->begins ? 32768 : 0));
-    const struct pel_smooth_place p = place_at(pel_direction(angle), radius);
+    const struct pel_smooth_place p =
+        pel_smooth_place_at(pel_direction(angle), radius);
     const struct pel_smooth_bow bow = {.center = at,
                                        .from = p,
                                        .to = {-p.x, -p.y},
                                        .first = (uint8_t)(angle >> 14),
                                        .count = 3};
-    add_gap(path, at, p.x, height_of(end, true), y + p.y);
-    if (radius > 0)
-        pel_smooth_path_bow(path, &bow, radius);
-    add_gap(path, at, -p.x, y - p.y, height_of(end, false));
+    add_gap(tips, at, p.x, place_of(end, true).y + up, p.y);
+    add_bow(tips, &bow, radius);
+    add_gap(tips, at, -p.x, -p.y, place_of(end, false).y + up);
 }
 
-static void add_ray(struct pel_smooth_path *path, const struct end *end)
+static void add_end(struct tips *tips, const struct end *end, bool round)
 {
-    const struct pel_smooth_way ray = {
-        end->arc->center, pel_direction(end->angle), {0, 0}};
-    pel_smooth_path_line(path, &ray, height_of(end, true),
-                         height_of(end, false));
+    if (round)
+        add_half(tips, end);
+    else
+        add_line(tips, end->arc->center, pel_direction(end->angle),
+                 place_of(end, true), place_of(end, false));
 }
 
 /* Once through a quadrant, or back to it. */
 static uint8_t quadrants_of(struct pel_angles a)
 {
     const int32_t steps = ((a.to >> 14) - (a.from >> 14)) & 3;
-    const bool back = a.from == a.to || (uint16_t)(a.to - a.from) > 16384;
+    const bool back = (uint16_t)(a.to - a.from) > 16384;
     return (uint8_t)(steps == 0 && back ? 5 : steps + 1);
 }
 
-static void add_circle(struct pel_smooth_path *path, struct pel_point center,
+static void add_circle(struct tips *tips, struct pel_point center,
                        struct pel_angles angles, int32_t radius, bool hole)
 {
     const struct pel_smooth_bow bow = {
         .center = center,
-        .from = place_at(pel_direction(angles.from), radius),
-        .to = place_at(pel_direction(angles.to), radius),
+        .from = pel_smooth_place_at(pel_direction(angles.from), radius),
+        .to = pel_smooth_place_at(pel_direction(angles.to), radius),
         .first = (uint8_t)(angles.from >> 14),
         .count = quadrants_of(angles),
         .hole = hole};
-    if (radius > 0)
-        pel_smooth_path_bow(path, &bow, radius);
+    add_bow(tips, &bow, radius);
 }
 
-/* The circles of the arc, and the two ends, if it has any. */
-static PEL_NOINLINE_32 void add_outline(struct pel_smooth_path *path,
-                                        const struct pel_arc_shape *arc,
-                                        struct pel_angles angles, bool round)
+static PEL_NOINLINE void find_tips(struct tips *tips,
+                                   const struct pel_arc_shape *arc, bool round)
 {
+    const struct pel_angles angles = {(uint16_t)arc->from, (uint16_t)arc->to};
     const struct end begin = {arc, angles.from, true};
     const struct end end = {arc, angles.to, false};
-    add_circle(path, arc->center, angles, arc->outer, false);
-    add_circle(path, arc->center, angles, arc->inner, true);
-    if (angles.from == angles.to)
+    tips->bows = tips->lines = 0;
+    pel_smooth_ends_set(&tips->ends, arc, round);
+    add_circle(tips, arc->center, angles, arc->outer, false);
+    add_circle(tips, arc->center, angles, arc->inner, true);
+    add_end(tips, &begin, round);
+    add_end(tips, &end, round);
+}
+
+/* From x on: up to where. */
+static PEL_NOINLINE int32_t paint_window(struct tips *tips, int32_t y,
+                                         int32_t x, int32_t end)
+{
+    struct pel_smooth_window window;
+    pel_smooth_window_begin(&window, y, x, end);
+    for (int i = 0; i < tips->bows; i++)
+        pel_smooth_bow_add(&tips->bow[i], &window);
+    for (int i = 0; i < tips->lines; i++)
+        pel_smooth_line_add(&tips->line[i], &window);
+    pel_smooth_window_paint(&window, &tips->smooth);
+    return window.next;
+}
+
+static void paint_columns(struct tips *tips, int32_t y,
+                          const struct pel_span *columns)
+{
+    const struct pel_rect *const clip = &tips->smooth.surface.clip;
+    const int32_t end = pel_min(columns->x1, clip->x1);
+    int32_t x = pel_max(columns->x0, clip->x0);
+    while (x < end)
+        x = paint_window(tips, y, x, end);
+}
+
+/* No column twice where both ends are near. */
+static void paint_row(struct tips *tips, int32_t y)
+{
+    struct pel_span a, b;
+    const bool first = pel_smooth_end_columns(&tips->ends, 0, y, &a);
+    if (pel_smooth_end_columns(&tips->ends, 1, y, &b)) {
+        if (first && a.x0 < b.x1 && b.x0 < a.x1) {
+            a.x0 = pel_min(a.x0, b.x0);
+            a.x1 = pel_max(a.x1, b.x1);
+        } else {
+            paint_columns(tips, y, &b);
+        }
+    }
+    if (first)
+        paint_columns(tips, y, &a);
+}
+
+static PEL_NOINLINE void paint_tips(const struct pel_surface *surface,
+                                    const struct pel_arc_shape *arc, bool round,
+                                    const struct pel_paint *paint)
+{
+    struct tips tips;
+    if (!pel_smooth_begin(&tips.smooth, surface, paint))
         return;
-    (round ? add_half : add_ray)(path, &begin);
-    (round ? add_half : add_ray)(path, &end);
+    find_tips(&tips, arc, round);
+    const struct pel_span *const a = &tips.ends.end[0].rows;
+    const struct pel_span *const b = &tips.ends.end[1].rows;
+    const int32_t end = pel_min(pel_max(a->x1, b->x1), surface->clip.y1);
+    int32_t y = pel_max(pel_min(a->x0, b->x0), surface->clip.y0);
+    for (; y < end; y++)
+        paint_row(&tips, y);
 }
 
 static bool is_legal(const struct pel_arc_shape *arc)
@@ -126,9 +217,9 @@ static bool is_legal(const struct pel_arc_shape *arc)
 /* The pixels of the clip that the arc may touch; false: none, or no angle. A
  * half disc reaches half of the arc's width beyond its ray, and coverage a
  * pixel further than the centres that a shape covers. */
-static PEL_NOINLINE_32 bool find_box(const struct pel_surface *surface,
-                                     const struct pel_arc_shape *arc,
-                                     bool round, struct pel_rect *box)
+static PEL_NOINLINE bool find_box(const struct pel_surface *surface,
+                                  const struct pel_arc_shape *arc, bool round,
+                                  struct pel_rect *box)
 {
     struct pel_angle_range range;
     const int32_t beyond = round ? (arc->outer - arc->inner) >> 9 : 0;
@@ -140,7 +231,6 @@ static void paint_arc(const struct pel_surface *surface,
                       const struct pel_arc_shape *arc, bool round,
                       const struct pel_paint *paint)
 {
-    struct pel_smooth_path path;
     struct pel_angles angles;
     struct pel_rect box;
     const bool legal = is_legal(arc);
@@ -148,13 +238,17 @@ static void paint_arc(const struct pel_surface *surface,
     PEL_HINT(pel_in_subpixels(&arc->center, 1, arc->outer));
     if (!legal || arc->outer <= arc->inner ||
         !pel_angles_set(&angles, arc->from, arc->to) ||
-        !find_box(surface, arc, round, &box) ||
-        !pel_smooth_path_begin(&path, surface, paint))
+        !find_box(surface, arc, round, &box))
         return;
-    add_outline(&path, arc, angles, round);
-    pel_smooth_path_paint(&path, &box);
+    if (angles.from == angles.to) {
+        const struct pel_ring_shape ring = {arc->center, arc->inner,
+                                            arc->outer};
+        pel_smooth_ring(surface, &ring, paint);
+        return;
+    }
+    paint_body(surface, arc, &box, round, paint);
+    paint_tips(surface, arc, round, paint);
 }
-
 void pel_smooth_arc(const struct pel_surface *surface,
                     const struct pel_arc_shape *arc,
                     const struct pel_paint *paint)

@@ -1,14 +1,8 @@
 #include "smooth_ring.h"
 
-#include "round_rows.h"
+#include "ring_rows.h"
 
 enum { WINDOW = PEL_SMOOTH_WINDOW };
-
-struct ring {
-    struct pel_smooth_rows rows; /* of the outer disc */
-    struct pel_smooth_strips hole;
-    struct pel_smooth_round outer, inner;
-};
 
 /* A half of a row, from the axis on; that on the left in the mirrored picture.
  */
@@ -21,7 +15,8 @@ struct half {
 };
 
 /* The coverage of a window of columns, as in round_rows.c. */
-static PEL_NOINLINE uint32_t cross(const struct ring *ring, int32_t center,
+static PEL_NOINLINE uint32_t cross(const struct pel_smooth_ring_walk *ring,
+                                   int32_t center,
                                    const struct pel_span *columns, uint8_t *to,
                                    int32_t step)
 {
@@ -34,7 +29,8 @@ static PEL_NOINLINE uint32_t cross(const struct ring *ring, int32_t center,
     return (uint32_t)(area[0] - hole[0]);
 }
 
-static void find_half(const struct ring *ring, struct half *h, bool left)
+static void find_half(const struct pel_smooth_ring_walk *ring, struct half *h,
+                      bool left)
 {
     const struct pel_rect *const clip = &ring->rows.smooth.surface.clip;
     const int32_t x0 = left ? -clip->x1 : clip->x0;
@@ -54,7 +50,7 @@ static void find_half(const struct ring *ring, struct half *h, bool left)
 
 /* The coverage of a window of columns whose first one is the nth of the right
  * half's bytes. */
-static void cross_half(struct ring *ring, const struct half *h,
+static void cross_half(struct pel_smooth_ring_walk *ring, const struct half *h,
                        const struct pel_span *columns, int32_t first)
 {
     uint8_t *const middle = ring->rows.coverage + WINDOW;
@@ -67,8 +63,8 @@ static void cross_half(struct ring *ring, const struct half *h,
 }
 
 /* Paints n near columns, full ones and k far ones, which are taken away. */
-static void paint_part(struct ring *ring, struct half *h, int32_t n,
-                       int32_t full, int32_t k)
+static void paint_part(struct pel_smooth_ring_walk *ring, struct half *h,
+                       int32_t n, int32_t full, int32_t k)
 {
     const int32_t x = n ? h->near.x0 : full ? h->full.x0 : h->far.x0;
     uint8_t *const middle = ring->rows.coverage + WINDOW;
@@ -85,7 +81,7 @@ static void paint_part(struct ring *ring, struct half *h, int32_t n,
     h->far.x0 += k;
 }
 
-static void paint_half(struct ring *ring, struct half *h)
+static void paint_half(struct pel_smooth_ring_walk *ring, struct half *h)
 {
     const int32_t full = pel_max(h->full.x1 - h->full.x0, 0);
     while (h->near.x1 - h->near.x0 > WINDOW)
@@ -96,7 +92,8 @@ static void paint_half(struct ring *ring, struct half *h)
         paint_part(ring, h, 0, 0, pel_smooth_window(&h->far));
 }
 
-static uint32_t first_area(const struct ring *ring, const struct half *h)
+static uint32_t first_area(const struct pel_smooth_ring_walk *ring,
+                           const struct half *h)
 {
     const struct pel_span column = {h->near.x0, h->near.x0 + 1};
     uint8_t unused;
@@ -104,7 +101,8 @@ static uint32_t first_area(const struct ring *ring, const struct half *h)
 }
 
 /* The column in the middle, where it belongs to both halves. */
-static void paint_shared(struct ring *ring, struct half *l, struct half *r)
+static void paint_shared(struct pel_smooth_ring_walk *ring, struct half *l,
+                         struct half *r)
 {
     struct pel_smooth_rows *const rows = &ring->rows;
     struct pel_smooth_row row = {rows->rows.x0, r->near.x0, 1, 0, 0,
@@ -118,7 +116,7 @@ static void paint_shared(struct ring *ring, struct half *l, struct half *r)
     r->near.x0++;
 }
 
-static void paint_row(struct ring *ring)
+static void paint_row(struct pel_smooth_ring_walk *ring)
 {
     struct half l, r;
     if (ring->rows.strips.n == 0 || ring->hole.n == 0) {
@@ -139,7 +137,7 @@ static bool is_legal(const struct pel_ring_shape *ring)
            pel_radius_legal(ring->outer);
 }
 
-static void paint_rows(struct ring *ring)
+void pel_smooth_ring_rows(struct pel_smooth_ring_walk *ring)
 {
     struct pel_span *const rows = &ring->rows.rows;
     pel_smooth_strips_start(&ring->hole, &ring->inner, rows->x0);
@@ -150,20 +148,27 @@ static void paint_rows(struct ring *ring)
     }
 }
 
+bool pel_smooth_ring_begin(struct pel_smooth_ring_walk *ring,
+                           const struct pel_surface *surface,
+                           const struct pel_ring_shape *shape,
+                           const struct pel_paint *paint)
+{
+    const struct pel_point c = shape->center;
+    ring->outer = (struct pel_smooth_round){c.x, c.x, c.y, c.y, shape->outer};
+    ring->inner = ring->outer;
+    ring->inner.radius = shape->inner;
+    return pel_smooth_rows_begin(&ring->rows, surface, &ring->outer, paint);
+}
+
 void pel_smooth_ring(const struct pel_surface *surface,
                      const struct pel_ring_shape *shape,
                      const struct pel_paint *paint)
 {
-    const struct pel_point c = shape->center;
     const bool legal = is_legal(shape);
-    struct ring ring;
+    struct pel_smooth_ring_walk ring;
     PEL_ASSERT(legal);
-    PEL_HINT(pel_in_subpixels(&c, 1, shape->outer));
-    if (!legal || shape->outer <= shape->inner)
-        return;
-    ring.outer = (struct pel_smooth_round){c.x, c.x, c.y, c.y, shape->outer};
-    ring.inner = ring.outer;
-    ring.inner.radius = shape->inner;
-    if (pel_smooth_rows_begin(&ring.rows, surface, &ring.outer, paint))
-        paint_rows(&ring);
+    PEL_HINT(pel_in_subpixels(&shape->center, 1, shape->outer));
+    if (legal && shape->outer > shape->inner &&
+        pel_smooth_ring_begin(&ring, surface, shape, paint))
+        pel_smooth_ring_rows(&ring);
 }

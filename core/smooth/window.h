@@ -1,0 +1,49 @@
+/* A window of some columns of a row, in which the areas of an outline's pieces
+ * are added up: what lies right of each, since the shape lies right of pieces
+ * that go up and left of those that go down. */
+#ifndef PEL_SMOOTH_WINDOW_H
+#define PEL_SMOOTH_WINDOW_H
+
+#include "disc_side.h"
+#include "smooth.h"
+#include "smooth_edge.h"
+
+/* Columns of a window. */
+enum { PEL_SMOOTH_COLUMNS = PEL_SMALL_CODE ? 8 : 16 };
+
+struct pel_smooth_window {
+    int32_t y, x, n; /* columns from x on */
+    int32_t next;    /* the first one behind it that a piece crosses */
+    int32_t sum[PEL_SMOOTH_COLUMNS + 1]; /* what each has more than the one
+                                            before it, and what those up to
+                                            `next` have, 2^-15 px */
+};
+
+/* A part of a line in a row, as high as h: from x `low` to `high`, 2^-16 px
+ * right of `base`. */
+struct pel_smooth_piece {
+    int32_t base; /* 1/256 px */
+    int32_t low, high;
+    int32_t h; /* 2^-16 px */
+    struct pel_rise rise;
+};
+
+/* Begins a window of a row from x on, which ends before `end`. */
+void pel_smooth_window_begin(struct pel_smooth_window *window, int32_t y,
+                             int32_t x, int32_t end);
+
+/* Adds what lies right of a piece, or takes it away: rising. */
+void pel_smooth_window_line(struct pel_smooth_window *window,
+                            const struct pel_smooth_piece *piece, bool rising);
+
+/* The same of a strip's right side in the picture that is mirrored if `left`,
+ * around a centre in that picture. Sets what pel_smooth_strip_set does. */
+void pel_smooth_window_strip(struct pel_smooth_window *window,
+                             struct pel_smooth_strip *strip, int32_t center,
+                             bool left, bool rising);
+
+/* Paints what the sums say, a pixel at most, up to `next`. */
+void pel_smooth_window_paint(const struct pel_smooth_window *window,
+                             struct pel_smooth *smooth);
+
+#endif
