@@ -8,15 +8,15 @@
 #include "round_strips.h"
 #include "smooth.h"
 
-struct pel_smooth_place {
+struct pel_smooth_path_place {
     int32_t x, y; /* 2^-16 px from a centre */
 };
 
 /* Part of a circle, clockwise on screen from one place to another through some
  * quadrants, of which 0 begins at +x. */
-struct pel_smooth_bow {
+struct pel_smooth_path_arc {
     struct pel_point center;
-    struct pel_smooth_place from, to;
+    struct pel_smooth_path_place from, to;
     uint8_t first, count; /* quadrants */
     bool hole;            /* the outline goes backwards */
     struct pel_smooth_circle circle;
@@ -28,11 +28,11 @@ struct pel_smooth_bow {
 /* Where a line goes: through a place, that far from `base`. */
 struct pel_smooth_way {
     struct pel_point base, direction; /* direction.y != 0 */
-    struct pel_smooth_place offset;
+    struct pel_smooth_path_place offset;
 };
 
 /* The part of it between two heights. */
-struct pel_smooth_line {
+struct pel_smooth_path_side {
     struct pel_smooth_way way;
     int64_t top, bottom; /* 2^-16 px */
     int32_t first, last; /* rows */
@@ -46,8 +46,8 @@ struct pel_smooth_path {
     struct pel_smooth_row row; /* what waits to be painted */
     uint8_t coverage[2 * PEL_SMOOTH_WINDOW];
     int32_t bows, lines;
-    struct pel_smooth_bow bow[4];
-    struct pel_smooth_line line[4];
+    struct pel_smooth_path_arc bow[4];
+    struct pel_smooth_path_side line[4];
 };
 
 /* Sides of a row: up to 5 of a circle, as many of another one, 3 of each of two
@@ -61,7 +61,7 @@ bool pel_smooth_path_begin(struct pel_smooth_path *path,
 
 /* Adds a bow, of which the first six members are set. */
 void pel_smooth_path_bow(struct pel_smooth_path *path,
-                         const struct pel_smooth_bow *bow, int32_t radius);
+                         const struct pel_smooth_path_arc *bow, int32_t radius);
 
 /* Adds a line from one height to another, 2^-16 px, in the outline's direction:
  * the shape lies on its right. */

@@ -3,9 +3,9 @@
 #include "../base/divide.h"
 
 void pel_smooth_path_bow(struct pel_smooth_path *path,
-                         const struct pel_smooth_bow *bow, int32_t radius)
+                         const struct pel_smooth_path_arc *bow, int32_t radius)
 {
-    struct pel_smooth_bow *const b = &path->bow[path->bows++];
+    struct pel_smooth_path_arc *const b = &path->bow[path->bows++];
     *b = *bow;
     pel_smooth_circle_set(&b->circle, radius);
     b->most = radius * 256;
@@ -17,7 +17,7 @@ void pel_smooth_path_line(struct pel_smooth_path *path,
                           const struct pel_smooth_way *way, int64_t from,
                           int64_t to)
 {
-    struct pel_smooth_line *const l = &path->line[path->lines];
+    struct pel_smooth_path_side *const l = &path->line[path->lines];
     if (from == to)
         return;
     path->lines++;
@@ -31,14 +31,14 @@ void pel_smooth_path_line(struct pel_smooth_path *path,
 }
 
 /* Heights far away are as good as those just outside of the circle. */
-static int32_t height_of(const struct pel_smooth_bow *b, int32_t y)
+static int32_t height_of(const struct pel_smooth_path_arc *b, int32_t y)
 {
     const int32_t r = b->circle.radius + 1;
     const int32_t v = pel_max(-r, pel_min(y * 256 - b->center.y, r));
     return pel_max(-b->most, pel_min(v * 256, b->most));
 }
 
-static void go_to(struct pel_smooth_bow *b, int32_t y)
+static void go_to(struct pel_smooth_path_arc *b, int32_t y)
 {
     b->v[0] = b->v[1];
     b->at[0] = b->at[1];
@@ -60,19 +60,19 @@ static int64_t line_at(const struct pel_smooth_way *w, int64_t y)
 }
 
 /* Where the row begins and ends on the line. */
-static int64_t upper_end(const struct pel_smooth_line *l, int32_t y)
+static int64_t upper_end(const struct pel_smooth_path_side *l, int32_t y)
 {
     const int64_t top = (int64_t)y * 65536;
     return l->top > top ? l->top : top;
 }
 
-static int64_t lower_end(const struct pel_smooth_line *l, int32_t y)
+static int64_t lower_end(const struct pel_smooth_path_side *l, int32_t y)
 {
     const int64_t bottom = (int64_t)y * 65536 + 65536;
     return l->bottom < bottom ? l->bottom : bottom;
 }
 
-static void line_to(struct pel_smooth_line *l, int32_t y)
+static void line_to(struct pel_smooth_path_side *l, int32_t y)
 {
     if (y < l->first || y > l->last)
         return;
@@ -99,8 +99,8 @@ void pel_smooth_path_start(struct pel_smooth_path *path, int32_t y)
 
 /* A quarter's piece is cut at an end: where it begins, near the axis, or where
  * it ends. */
-static void cut_at(struct pel_smooth_strip *s, const struct pel_smooth_place *p,
-                   bool begins)
+static void cut_at(struct pel_smooth_strip *s,
+                   const struct pel_smooth_path_place *p, bool begins)
 {
     const int32_t v = pel_magnitude(p->y), u = pel_magnitude(p->x);
     if (begins && v > s->near) {
@@ -114,7 +114,7 @@ static void cut_at(struct pel_smooth_strip *s, const struct pel_smooth_place *p,
 }
 
 /* The part of a quarter of a circle that is in the row. */
-static bool bow_piece(const struct pel_smooth_bow *b, int32_t k,
+static bool bow_piece(const struct pel_smooth_path_arc *b, int32_t k,
                       struct pel_smooth_piece_side *side)
 {
     struct pel_smooth_strip *const s = &side->strip;
@@ -136,7 +136,7 @@ static bool bow_piece(const struct pel_smooth_bow *b, int32_t k,
     return s->near < s->far;
 }
 
-static bool line_piece(const struct pel_smooth_line *l, int32_t y,
+static bool line_piece(const struct pel_smooth_path_side *l, int32_t y,
                        struct pel_smooth_piece_side *side)
 {
     struct pel_smooth_strip *const s = &side->strip;
