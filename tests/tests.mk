@@ -5,6 +5,7 @@
 -include tests/tools/tools.mk
 -include tests/device/linux/linux.mk
 -include tests/device/lcd/lcd.mk
+-include tests/device/pico/pico.mk
 
 T := $(BUILD)/tests
 TAB := $(shell printf '\t')
