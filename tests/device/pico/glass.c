@@ -9,7 +9,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-enum { FRAME = 0x400 };
+enum { FRAME = 0x400, MOST = 1000 };
 
 static struct bus_log bus;
 
@@ -77,39 +77,62 @@ static bool shows(struct side *side, struct scene *scene, int frame, int bytes)
     return false;
 }
 
-static bool open_side(struct side *side, const char *folder)
+struct frame {
+    struct scene scene;
+    int32_t status, us[2];
+    int bytes[2];
+};
+
+/* The frames of the list. */
+static int read_frames(const char *folder, struct frame *frames)
 {
     char name[4096];
+    int n = 0;
+    snprintf(name, sizeof name, "%s/frames.txt", folder);
+    FILE *list = fopen(name, "r");
+    for (struct frame *f = frames; list && n < MOST; n++, f++)
+        if (fscanf(list,
+                   "%" SCNd32 "%" SCNd32 "%" SCNd32 "%" SCNd32 "%" SCNd32
+                   "%" SCNd32 "%" SCNd32 "%" SCNd32,
+                   &f->scene.degrees, &f->scene.presses, &f->scene.held,
+                   &f->scene.x, &f->scene.y, &f->status, &f->us[0],
+                   &f->us[1]) != 8)
+            break;
+    return n;
+}
+
+/* How many glasses are other than the host's. */
+static int check_side(struct side *side, const char *folder,
+                      struct frame *frames, int n)
+{
+    char name[4096];
+    int bad = 0;
     snprintf(name, sizeof name, "%s/%s", folder, side->name);
     side->log = fopen(name, "rb");
     panel_glass_reset(&side->glass);
-    return side->log != NULL;
+    for (int i = 0; i < n; i++) {
+        const int bytes = side->log ? take_frame(side) : -1;
+        frames[i].bytes[side == &oled] = bytes;
+        bad += !shows(side, &frames[i].scene, i, bytes);
+    }
+    return bad;
 }
 
 int main(int argc, char **argv)
 {
-    char name[4096];
-    struct scene s;
-    int32_t status, us[2];
-    int frames = 0, bad = 0;
-    if (argc != 2 || !open_side(&lcd, argv[1]) || !open_side(&oled, argv[1]))
+    static struct frame frames[MOST];
+    if (argc != 2)
         return 2;
-    snprintf(name, sizeof name, "%s/frames.txt", argv[1]);
-    FILE *list = fopen(name, "r");
+    const int n = read_frames(argv[1], frames);
+    const int bad = check_side(&lcd, argv[1], frames, n) +
+                    check_side(&oled, argv[1], frames, n);
     printf(
         "frame  st7789: bytes  on the wire      us  ssd1306: bytes      us\n");
-    while (list && fscanf(list,
-                          "%" SCNd32 "%" SCNd32 "%" SCNd32 "%" SCNd32 "%" SCNd32
-                          "%" SCNd32 "%" SCNd32 "%" SCNd32,
-                          &s.degrees, &s.presses, &s.held, &s.x, &s.y, &status,
-                          &us[0], &us[1]) == 8) {
-        const int n[2] = {take_frame(&lcd), take_frame(&oled)};
-        printf("%5d %14d %12d %7" PRId32 " %15d %7" PRId32 "\n", frames, n[0],
-               n[0] * 16 / 125, us[0], n[1], us[1]);
-        bad += !shows(&lcd, &s, frames, n[0]);
-        bad += !shows(&oled, &s, frames, n[1]);
-        frames++;
+    for (int i = 0; i < n; i++) {
+        const struct frame *f = &frames[i];
+        printf("%5d %14d %12d %7" PRId32 " %15d %7" PRId32 "\n", i, f->bytes[0],
+               f->bytes[0] * 16 / 125, f->us[0], f->bytes[1], f->us[1]);
     }
-    printf("%d frames, %d glasses other than the host's\n", frames, bad);
-    return frames == 0 || bad != 0;
+    printf("%d frames, %d glasses other than the host's\n", n, bad);
+    return n == 0 || bad != 0;
 }
