@@ -31,6 +31,7 @@ install -d "$to/bin" "$to/lib/pkgconfig" "$to/share/man/man1" \
 headers core pel
 headers drivers pel-drivers/drivers
 headers port/linux pel-drivers/port/linux
+headers port/sdl pel-drivers/port/sdl
 install -m 644 "$build/libpel.a" "$build/libpel_linux.a" "$to/lib"
 install "$build/$so" "$to/lib"
 ln -sf "$so" "$to/lib/${so%.*}"
@@ -44,6 +45,14 @@ Requires: pel $(cat "$build/libpel_linux.packages")
 Cflags: -I"\${prefix}/include/pel-drivers" $(cat "$build/libpel_linux.flags")
 Libs: -L"\${prefix}/lib" -lpel_linux -pthread
 END
+if [ -f "$build/libpel_sdl.a" ]; then
+    install -m 644 "$build/libpel_sdl.a" "$to/lib"
+    package pel-sdl "A window as a display for Pel" <<'END'
+Requires: pel sdl2
+Cflags: -I"${prefix}/include/pel-drivers"
+Libs: -L"${prefix}/lib" -lpel_sdl
+END
+fi
 install "$build/pel" "$to/bin"
 install -m 644 "$build/man/pel.1" "$to/share/man/man1"
 install -m 644 "$build/man/pel.3" "$to/share/man/man3"

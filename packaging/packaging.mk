@@ -47,8 +47,8 @@ $(BUILD)/man/pel.3: packaging/pel.3 core/pel.h
 	sed 's/@VERSION@/$(PEL_VERSION)/' $< >$@
 
 install: export PREFIX ?= /usr/local
-install: $(BUILD)/libpel.a $(BUILD)/libpel_linux.a $(BUILD)/libpel.so.$(PEL_VERSION) $(BUILD)/pel \
-    $(BUILD)/man/pel.1 $(BUILD)/man/pel.3 ## libraries, headers, pel.pc, pel-linux.pc, program, manual: PREFIX, DESTDIR
+install: $(BUILD)/libpel.a $(BUILD)/libpel_linux.a $(SDL_LIBRARY) $(BUILD)/libpel.so.$(PEL_VERSION) $(BUILD)/pel \
+    $(BUILD)/man/pel.1 $(BUILD)/man/pel.3 ## libraries, headers, pel.pc, pel-linux.pc, pel-sdl.pc, program, manual: PREFIX, DESTDIR
 	packaging/install.sh $(BUILD) $(PEL_VERSION)
 
 CHECK_EXTRA += check-packages

@@ -30,8 +30,10 @@ SIM_LIBS := $(shell $(PKG_CONFIG) --libs $(SIM_PACKAGES)) -lm
 endif
 
 include drivers/linux.mk
+include port/sdl/sdl.mk
 
-SIM := $(sort $(wildcard sim/*.c sim/*/*.c))
+SIM := $(sort $(wildcard sim/*.c sim/*/*.c)) port/sdl/inspect.c \
+    $(SDL_FOUND:%=port/sdl/window_sdl.c)
 SIM_OBJECTS := $(SIM:%.c=$(BUILD)/%.o)
 
 all: $(BUILD)/pel

@@ -106,7 +106,7 @@ struct pel_channels {
 };
 
 struct pel_format {
-    uint8_t id;   /* enum pel_format_id; 128..252 for formats of your own */
+    uint8_t id;   /* enum pel_format_id; 128..250 for formats of your own */
     uint8_t bits; /* of a pixel: 1, 4, 8, 16, 24 or 32 */
     uint8_t word; /* bytes that pixels and stride are a multiple of */
 

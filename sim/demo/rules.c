@@ -105,7 +105,7 @@ void rules_draw(const struct rules_case *rules, bool y_up,
     struct pel_surface picture, heat;
     pel_surface_init_rect(&picture, &pel_xrgb8888, colors[first], stride,
                           &bounds);
-    pel_surface_init_rect(&heat, &inspect_heat, hits[first], stride, &bounds);
+    pel_surface_init_rect(&heat, &pel_heat, hits[first], stride, &bounds);
     pel_clear(&picture, PEL_RGB(255, 255, 255));
     draw_triangles(&picture, rules);
     draw_triangles(&heat, rules);

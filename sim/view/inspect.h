@@ -3,6 +3,7 @@
 #define SIM_VIEW_INSPECT_H
 
 #include "core/asset/font_asset.h"
+#include "port/sdl/inspect.h"
 #include "sim/script/script.h"
 
 struct inspect {
@@ -19,17 +20,9 @@ struct inspect_format {
 enum { INSPECT_FORMATS = 5 };
 extern const struct inspect_format inspect_formats[INSPECT_FORMATS];
 
-/* A format of words that count how often each pixel is written, and are read as
- * colors: black, blue, cyan, green, yellow, red, white for 6 and more. */
-extern const struct pel_format inspect_heat;
-
 /* Tints every other band of `rows` pixels; a pixel is `zoom` px high. */
 void inspect_bands(const struct pel_surface *surface,
                    const struct pel_rect *picture, int rows, int zoom);
-
-/* A box around pixels of the picture. */
-void inspect_box(const struct pel_surface *surface, const struct pel_rect *box,
-                 pel_color color);
 
 /* Lines of text on a dark box, in a corner of the surface's clip: the upper
  * left one, or the lower. */
@@ -37,9 +30,8 @@ void inspect_text(const struct pel_surface *surface,
                   const struct pel_font_asset *font, const char *text,
                   bool below);
 
-/* Pixels around (x, y) of the picture, each 16 pixels wide, with the shapes of
- * the script as their corners are, and the centres of pixels; in the corner of
- * the surface that is farthest from the pointer. */
+/* Pixels around (x, y) of the picture, as pel_lens_draw shows them, with the
+ * shapes of the script as their corners are. */
 void inspect_magnifier(const struct pel_surface *surface,
                        const struct pel_surface *picture,
                        const struct script *script, int x, int y);

@@ -26,7 +26,7 @@ int sheet_count_shapes(const struct script *script, size_t items)
 bool sheet_compose(struct sheet *s)
 {
     const struct inspect_format *as = &inspect_formats[s->inspect.format];
-    const struct pel_format *format = s->inspect.heat ? &inspect_heat
+    const struct pel_format *format = s->inspect.heat ? &pel_heat
                                       : !s->path || s->inspect.format > 0
                                           ? as->format
                                           : NULL;

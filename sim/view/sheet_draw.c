@@ -3,8 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/image/copy.h"
-#include "core/paint/paint_texture.h"
 #include "core/raster/rectangle.h"
 #include "sim/cli/milliseconds.h"
 #include "sim/view/sheet.h"
@@ -109,19 +107,7 @@ static void show_picture(const struct sheet *s,
     const struct pel_surface *from = &s->canvas.surface;
     const struct pel_rect at =
         place(s, &surface->clip, &s->canvas.surface.bounds);
-    if (s->zoom == 1) {
-        const struct pel_copy_part all = {from, from->bounds, at.x0, at.y0};
-        pel_copy(surface, &all);
-        return;
-    }
-    const uint64_t step = (UINT64_C(1) << 32) / (uint64_t)s->zoom + 1;
-    const struct pel_texture_map map = {
-        {step / 2 - (uint64_t)at.x0 * step, step, 0},
-        {step / 2 - (uint64_t)at.y0 * step, 0, step}};
-    const struct pel_texels texels = {.surface = from};
-    struct pel_texture paint;
-    pel_texture_init_nearest(&paint, &texels, &map);
-    pel_box(surface, &at, &paint.base.paint);
+    pel_inspect_enlarge(surface, from, at.x0, at.y0, s->zoom);
 }
 
 static void show_numbers(const struct sheet *s,
@@ -152,7 +138,7 @@ static void show_overlays(const struct sheet *s,
     int x, y;
     for (int i = 0; show->areas && i < s->areas.count; i++) {
         const struct pel_rect box = place(s, &surface->clip, &s->areas.area[i]);
-        inspect_box(surface, &box, PEL_RGB(255, 0, 0));
+        pel_inspect_box(surface, &box, PEL_RGB(255, 0, 0));
     }
     if (show->bands)
         inspect_bands(surface, &at, BAND_ROWS, s->zoom);

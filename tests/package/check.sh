@@ -14,7 +14,7 @@ run() {
     project=$work/$1
     [ -d "$project" ] || {
         cp -R "$here/$1" "$project"
-        cp "$here/main.c" "$here/panel.c" "$work/kiosk.c" "$project"
+        cp "$here/main.c" "$here/panel.c" "$here/desk.c" "$work/kiosk.c" "$project"
         ln -s "$PWD" "$project/pel"
     }
     shift
@@ -30,6 +30,7 @@ draws() {
     "$1/panel" || fail "$1/panel"
     [ ! -e "$1/kiosk" ] || FRAMEBUFFER=/dev/null "$1/kiosk" 2>&1 </dev/null |
         grep -q '/dev/null is no framebuffer device' || fail "$1/kiosk"
+    [ ! -e "$1/desk" ] || SDL_VIDEODRIVER=dummy "$1/desk" || fail "$1/desk"
 }
 
 $CC $INCLUDE "$here/main.c" "$LIBPEL" -o "$work/main"

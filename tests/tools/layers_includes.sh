@@ -29,7 +29,7 @@ find core drivers port examples -name '*.[ch]' -o -name '*.inc' | sort | xargs a
         allow("core/image", "core core/base core/asset core/format core/raster")
         allow("drivers", "port")
         allow("port", "drivers")
-        allow("examples", "drivers bench")
+        allow("examples", "drivers port bench")
         split("stdint.h stdbool.h stddef.h string.h", names, " ")
         for (i in names)
             system_header[names[i]] = 1
@@ -83,7 +83,7 @@ find core drivers port examples -name '*.[ch]' -o -name '*.inc' | sort | xargs a
         sub(/".*/, "", name)
         if (name ~ /^(fixed_|vase_small)/) # that make writes
             next
-        path = FILENAME ~ /^examples/ && name ~ /^drivers/ ? name \
+        path = FILENAME ~ /^examples/ && name ~ /^(drivers|port)/ ? name \
             : resolve(dirname(FILENAME) "/" name)
         if (FILENAME !~ /^core/ && path ~ /^core/)
             complain("includes core as <pel/...>, not as " name)

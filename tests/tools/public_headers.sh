@@ -8,6 +8,7 @@ set -eu
         sed -n 's,^include/pel/\.\./\.\./,,; /^core.*\.h$/p' | while read -r file; do
         realpath --relative-to=. "$file"
     done
-    ls drivers/*.h port/linux/*.h
+    ls drivers/*.h port/linux/*.h port/sdl/*.h
 } | awk '!seen[$0]++' | grep -vx -e core/base/inline.h -e core/base/multiply.h \
-    -e drivers/linux_io.h -e 'drivers/console_linux_.*' -e port/linux/gpio_lib.h
+    -e drivers/linux_io.h -e 'drivers/console_linux_.*' -e port/linux/gpio_lib.h \
+    -e port/sdl/display_sdl_draw.h

@@ -1,0 +1,50 @@
+/* The panel of the examples as a window: `make window EXAMPLE=watch`. */
+#ifndef EXAMPLES_WINDOW_H
+#define EXAMPLES_WINDOW_H
+
+#include <stdio.h>
+
+#include "port/sdl/display_sdl.h"
+
+#ifndef PANEL_PERIOD
+#define PANEL_PERIOD 33 /* ms a frame */
+#endif
+#ifndef PANEL_TITLE
+#define PANEL_TITLE "Pel"
+#endif
+
+static struct pel_display_sdl panel_window;
+
+static inline enum pel_status panel_open(struct pel_display *display,
+                                         int32_t width, int32_t height,
+                                         const struct pel_format *format)
+{
+    const struct pel_display_sdl_options options = {.title = PANEL_TITLE,
+                                                    .width = width,
+                                                    .height = height,
+                                                    .format = format,
+                                                    .period = PANEL_PERIOD,
+                                                    .touch = true};
+    const enum pel_status status =
+        pel_display_sdl_open(display, &panel_window, &options);
+    if (panel_window.message)
+        fprintf(stderr, "%s: %s\n", PANEL_TITLE, panel_window.message);
+    return status;
+}
+
+/* What the user has done; false: nothing more. */
+static inline bool panel_input(struct pel_input *event)
+{
+    return pel_display_sdl_next(&panel_window, event);
+}
+
+/* The last frame stays until the user closes the window. */
+static inline void panel_close(void)
+{
+    struct pel_input event;
+    while (pel_display_sdl_wait(&panel_window, -1, &event)) {
+    }
+    pel_display_sdl_close(&panel_window);
+}
+
+#endif

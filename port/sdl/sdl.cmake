@@ -1,0 +1,12 @@
+# pel::sdl, a window as a display, where pkg-config finds SDL2.
+find_package(PkgConfig)
+if(PKG_CONFIG_FOUND)
+  pkg_check_modules(PEL_sdl2 sdl2)
+endif()
+if(PEL_sdl2_FOUND)
+  file(GLOB PEL_SDL ${PEL_DEPENDS} ${PEL_DIR}/port/sdl/*.c)
+  add_library(pel_sdl STATIC ${PEL_SDL})
+  target_include_directories(pel_sdl SYSTEM PRIVATE ${PEL_sdl2_INCLUDE_DIRS})
+  target_link_libraries(pel_sdl PUBLIC pel_drivers ${PEL_sdl2_LINK_LIBRARIES})
+  list(APPEND PEL_TARGETS pel_sdl)
+endif()

@@ -1,0 +1,37 @@
+# The window, where pkg-config finds SDL2: build/libpel_sdl.a, and `make window`.
+SDL_FOUND := $(filter sdl2,$(SIM_PACKAGES))
+SDL_FLAGS := $(if $(SDL_FOUND),$(patsubst -I%,-isystem %,$(shell $(PKG_CONFIG) \
+    --cflags sdl2)))
+SDL_LIBS := $(if $(SDL_FOUND),$(shell $(PKG_CONFIG) --libs sdl2))
+SDL_LIBRARY := $(SDL_FOUND:%=$(BUILD)/libpel_sdl.a)
+SDL_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(wildcard port/sdl/*.c))
+all: $(SDL_LIBRARY)
+
+$(SDL_OBJECTS): $(BUILD)/%.o: %.c $(BUILD)/sim/flags
+	@mkdir -p $(@D)
+	$(CC) $(PEL_CFLAGS) $(SDL_FLAGS) $(CFLAGS) -c $< -o $@
+$(BUILD)/libpel_sdl.a: $(SDL_OBJECTS) $(DRIVERS:%.c=$(BUILD)/%.o)
+	rm -f $@
+	$(AR) rcs $@ $^
+-include $(SDL_OBJECTS:.o=.d)
+
+# An example whose panel is a window.
+.PHONY: window
+window: $(BUILD)/window/$(or $(EXAMPLE),watch) ## an example in a window: EXAMPLE=watch
+	$<
+$(BUILD)/window/%: examples/%.c $(SDL_LIBRARY) $(BUILD)/libpel.a $(BUILD)/examples/%
+	@mkdir -p $(@D)
+	@tests/tools/need.sh sdl2-config:libsdl2-dev
+	$(CC) $(PEL_CFLAGS) -I$(BUILD)/examples $(CFLAGS) '-DPANEL_TITLE="$*"' \
+	    '-DPANEL_HEADER="window.h"' $(call example_sources,$*) \
+	    $(SDL_LIBRARY) $(BUILD)/libpel.a $(SDL_LIBS) -o $@
+
+# The window of a program, and what it shows, on an X server without a screen.
+CHECK_EXTRA += $(SDL_FOUND:%=check-window)
+.PHONY: check-window
+check-window: $(BUILD)/pel $(SDL_FOUND:%=$(BUILD)/window/check/program) $(BUILD)/window/check/screen
+	PEL=$(BUILD)/pel sh tests/window/check.sh $(BUILD)/window/check/program \
+	    $(BUILD)/window/check/screen
+$(BUILD)/window/check/%: tests/window/%.c $(SDL_LIBRARY) $(BUILD)/libpel.a
+	@mkdir -p $(@D)
+	$(CC) $(PEL_CFLAGS) $(CFLAGS) $^ $(SDL_LIBS) -o $@
