@@ -1,6 +1,6 @@
 /* STM32F401 or F411 from its registers on, at the 16 MHz after reset: SPI1 at
  * 8 MHz with stream 3 of DMA2. SCK is PA5, MOSI PA7, CS PA4, D/C PA2, RST PA3.
- * After RM0368: RCC 6.3, GPIO 8.4, DMA 9.5, SPI 20.5. */
+ * After RM0368. */
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -22,10 +22,9 @@
 #define DMA_TO REGISTER(0x40026460)
 #define DMA_FROM REGISTER(0x40026464)
 #define INTERRUPTS REGISTER(0xE000E104) /* 32 to 63 */
-
-enum { DC = 1 << 2, RST = 1 << 3, CS = 1 << 4 };
 #define TICKS 16000
-enum { MOST = 65535 };
+
+enum { DC = 1 << 2, RST = 1 << 3, CS = 1 << 4, MOST = 65535 };
 
 static void select_chip(bool data)
 {
@@ -55,7 +54,7 @@ static void send_byte(uint8_t byte)
     drain();
 }
 
-/* Channel 3, memory moves on, memory to SPI, interrupts at its end and errors.
+/* Channel 3, memory moves on, from memory, interrupts at its end and at errors.
  */
 static void dma_send(const uint8_t *bytes, int32_t n)
 {
@@ -72,7 +71,7 @@ static void dma_stop(void)
 
 #include "spi_dma.inc"
 
-/* Its name in ST's start-up code. */
+/* Interrupt 59, by the name that it has in ST's table. */
 void DMA2_Stream3_IRQHandler(void);
 void DMA2_Stream3_IRQHandler(void)
 {
@@ -88,7 +87,7 @@ void board_start(void)
     CLOCK_SPI |= 1 << 12;          /* SPI1 */
     PIN = CS | DC | RST;
     PIN_FUNCTION |= 5 << 20 | 5u << 28;   /* PA5, PA7: SPI1, */
-    PIN_MODE |= 2 << 10 | 2 << 14;        /* no longer inputs; */
+    PIN_MODE |= 2 << 10 | 2 << 14;        /* no longer inputs, */
     PIN_MODE |= 1 << 4 | 1 << 6 | 1 << 8; /* PA2 to PA4: outputs */
     PIN_SPEED |= 3 << 10 | 3 << 14;
     DMA_TO = (uint32_t)(uintptr_t)&SPI_DR;

@@ -80,24 +80,42 @@ LINK_ELFS := $(foreach b,$(LINK_BUILDS),\
 LINK_STACK_small := 384
 LINK_STACK_Os := 608
 
-# The program of the guide, compiled and linked; its registers are no board's of
-# QEMU.
-LINK_GUIDE := $(BUILD)/mcu/cortex-m4-Os
-$(BUILD)/link/guide.elf: docs/firmware.md tests/link/guide.sh \
-    $(LINK_GUIDE)/libdrivers.a $(LINK_GUIDE)/libpel.a
-	tests/link/guide.sh $(BUILD)/link/guide $(MCU_CC_cortex-m4) -Os \
-	    $(MCU_CFLAGS) $(MCU_LDFLAGS) -Wl,-e,main \
-	    $(LINK_GUIDE)/libdrivers.a $(LINK_GUIDE)/libpel.a \
-	    -o $@
+# The program of the guide with the bus of each chip of port/spi_dma, linked; those
+# that need a vendor's headers are compiled with stubs of them.
+LINK_GUIDES := rp2040 stm32g0 stm32f4 nrf52
+LINK_CPU_rp2040 := cortex-m0plus
+LINK_CPU_stm32g0 := cortex-m0plus
+LINK_CPU_stm32f4 := cortex-m4
+LINK_CPU_nrf52 := cortex-m4
+LINK_VECTOR_rp2040 := isr_irq11
+LINK_VECTOR_stm32g0 := DMA1_Channel1_IRQHandler
+LINK_VECTOR_stm32f4 := DMA2_Stream3_IRQHandler
+LINK_VECTOR_nrf52 := SPIM2_SPIS2_SPI2_IRQHandler
+LINK_STUBS := stm32_hal stm32f4_ll esp_lcd
+LINK_STUBS_stm32_hal := hal
+LINK_STUBS_stm32f4_ll := ll
+LINK_STUBS_esp_lcd := esp
 
-# Built for the host: times follow from bytes.
-$(BUILD)/link/panel_times: tests/link/panel_times.c $(DRIVERS:%.c=$(BUILD)/%.o) \
-    $(BUILD)/libpel.a
+# $1 chip, $2 build
+define link_guide
+$(BUILD)/link/guide/$1.elf: port/spi_dma/$1.c port/spi_dma/spi_dma.inc \
+    docs/firmware.md tests/link/guide.sh $(BUILD)/mcu/$2/libdrivers.a \
+    $(BUILD)/mcu/$2/libpel.a
+	tests/link/guide.sh $$(@D)/$1/main.c $$(MCU_COMPILE_$2) $$(MCU_LDFLAGS) \
+	    -Wl,-e,main -Wl,--require-defined=$(LINK_VECTOR_$1) $$(filter %.c %.a,$$^) -o $$@
+endef
+$(foreach c,$(LINK_GUIDES),$(eval $(call link_guide,$c,$(LINK_CPU_$c)-Os)))
+$(LINK_STUBS:%=$(BUILD)/link/guide/%.o): $(BUILD)/link/guide/%.o: \
+    port/spi_dma/%.c port/spi_dma/spi_dma.inc $(wildcard tests/link/stubs/*/*.h \
+    tests/link/stubs/*/*/*.h) | need-arm
 	@mkdir -p $(@D)
-	$(CC) $(PEL_CFLAGS) $(CFLAGS) $^ -o $@
+	$(MCU_COMPILE_cortex-m4-Os) -Itests/link/stubs/$(LINK_STUBS_$*) -c $< -o $@
+.PHONY: guide
+guide: $(LINK_GUIDES:%=$(BUILD)/link/guide/%.elf) \
+    $(LINK_STUBS:%=$(BUILD)/link/guide/%.o)
 
 # With ACCEPT=1 what is measured becomes the new limit.
-size: $(MCU_CORE_OBJECTS) $(LINK_ELFS) $(BUILD)/link/guide.elf \
+size: $(MCU_CORE_OBJECTS) $(LINK_ELFS) guide \
     $(BUILD)/link/panel_times | need-qemu-arm ## bytes and stack on small CPUs: build/size.tsv
 	printf '%s\n' $(foreach b,$(LINK_BUILDS),'$b $(LINK_PROGRAMS_$b)') | \
 	    tests/link/size.sh $(BUILD) >$(BUILD)/size.tsv
