@@ -15,7 +15,8 @@ say()
 
 "$atlas" --list >"$dir/list"
 for case in references thinness overflow limits color span sampling fighting \
-    circle map-circle arctangent dither; do
+    circle map-circle arctangent dither smooth-discs smooth-needles \
+    smooth-seams; do
     grep -qx "$case" "$dir/list" || say "--list has no $case"
     "$atlas" --quick "$case" >"$dir/csv" || say "$case fails"
     awk -F , -v name="$case" '
