@@ -1,15 +1,17 @@
-/* Fonts in flash, as `pel import` writes them: 1-bit glyphs. */
+/* Fonts in flash, as `pel import` writes them: glyphs of one bit, or smooth
+ * ones (smooth/smooth_glyph.h). */
 #ifndef PEL_ASSET_FONT_ASSET_H
 #define PEL_ASSET_FONT_ASSET_H
 
 #include <stddef.h>
 #include <stdint.h>
 
+#include "../base/point.h"
 #include "../base/status.h"
 
 /* "PELF", and the version of the struct. */
 #define PEL_FONT_MAGIC UINT32_C(0x464C4550)
-enum { PEL_FONT_VERSION = 2 };
+enum { PEL_FONT_VERSION = 3 };
 
 /* No glyph has this index. */
 enum { PEL_FONT_NONE = 0xFFFF };
@@ -30,6 +32,34 @@ struct pel_font_range {
     uint16_t count, glyph;
 };
 
+/* Between two of the first 256 glyphs the pen moves by x px more. */
+struct pel_font_pair {
+    uint8_t left, right; /* indices of glyphs */
+    int8_t x;
+};
+
+struct pel_font_asset;
+struct pel_surface;
+struct pel_paint;
+
+/* How the glyphs of a font are stored that has more than one bit. */
+struct pel_font_kind {
+    /* Does the glyph lie inside the font's `bits`? */
+    bool (*fits)(const struct pel_font_asset *font,
+                 const struct pel_font_glyph *glyph);
+
+    /* Paints it with its top left pixel at a place in px. */
+    void (*draw)(const struct pel_surface *surface,
+                 const struct pel_font_asset *font,
+                 const struct pel_font_glyph *glyph, struct pel_point at,
+                 const struct pel_paint *paint);
+
+    /* What the pen moves between two glyphs beside the advance, px. */
+    int32_t (*kerning)(const struct pel_font_asset *font,
+                       const struct pel_font_glyph *left,
+                       const struct pel_font_glyph *right);
+};
+
 struct pel_font_asset {
     uint32_t magic;          /* PEL_FONT_MAGIC */
     uint8_t version;         /* PEL_FONT_VERSION */
@@ -40,14 +70,26 @@ struct pel_font_asset {
     const struct pel_font_range *range; /* by code point, no overlap */
     const struct pel_font_glyph *glyph;
     const uint8_t *bits;
+    const struct pel_font_kind *kind; /* NULL: one bit, no pairs */
+    const struct pel_font_pair *pair; /* by left, then right */
+    uint16_t pairs;
 };
 
-/* Bytes of a glyph's rows, for constant expressions and as a function. */
+/* Bytes of a 1-bit glyph's rows, for constant expressions and as a function. */
 #define PEL_FONT_GLYPH_SIZE(width, height) (((width) + 7u) / 8 * (height))
 
 static inline uint32_t pel_font_glyph_size(const struct pel_font_glyph *glyph)
 {
     return PEL_FONT_GLYPH_SIZE(glyph->width, glyph->height);
+}
+
+static inline bool pel_font_glyph_fits(const struct pel_font_asset *font,
+                                       const struct pel_font_glyph *glyph)
+{
+    const uint32_t size = pel_font_glyph_size(glyph);
+    return font->kind
+               ? font->kind->fits(font, glyph)
+               : size <= font->size && glyph->offset <= font->size - size;
 }
 
 /* Checks that the program can read this asset. PEL_ERROR_NULL; PEL_ERROR_RANGE:
@@ -57,7 +99,8 @@ static inline enum pel_status pel_font_asset_check(
     const struct pel_font_asset *font)
 {
     uint32_t next = 0;
-    if (!font || !font->range || !font->glyph || !font->bits)
+    if (!font || !font->range || !font->glyph || !font->bits ||
+        (font->pairs > 0 && !font->pair))
         return PEL_ERROR_NULL;
     if (font->magic != PEL_FONT_MAGIC || font->version != PEL_FONT_VERSION)
         return PEL_ERROR_RANGE;
@@ -70,11 +113,9 @@ static inline enum pel_status pel_font_asset_check(
             return PEL_ERROR_SIZE;
         next = r->first + r->count;
     }
-    for (uint32_t i = 0; i < font->glyphs; i++) {
-        uint32_t size = pel_font_glyph_size(&font->glyph[i]);
-        if (size > font->size || font->glyph[i].offset > font->size - size)
+    for (uint32_t i = 0; i < font->glyphs; i++)
+        if (!pel_font_glyph_fits(font, &font->glyph[i]))
             return PEL_ERROR_SIZE;
-    }
     return PEL_OK;
 }
 

@@ -178,11 +178,15 @@ static void draw(const struct pel_surface *surface,
     const struct pel_stencil g = {text->font->bits + glyph->offset,
                                   (glyph->width + 7) / 8, glyph->width,
                                   glyph->height};
-    int32_t x = pen.x + glyph->left, y = pen.y - glyph->top;
+    const struct pel_point at = {pen.x + glyph->left, pen.y - glyph->top};
     const struct pel_rect *clip = &surface->clip;
-    if (x < clip->x1 && y < clip->y1 && x + g.width > clip->x0 &&
-        y + g.height > clip->y0)
-        pel_glyph(surface, &g, x, y, paint);
+    if (at.x >= clip->x1 || at.y >= clip->y1 || at.x + g.width <= clip->x0 ||
+        at.y + g.height <= clip->y0)
+        return;
+    if (text->font->kind)
+        text->font->kind->draw(surface, text->font, glyph, at, paint);
+    else
+        pel_glyph(surface, &g, at.x, at.y, paint);
 }
 
 void pel_text_until(const struct pel_surface *surface,
@@ -195,17 +199,21 @@ void pel_text_until(const struct pel_surface *surface,
     if (!legal)
         return;
     struct pel_point pen = {text->x, text->y + text->font->ascent};
+    const struct pel_font_glyph *before = NULL;
     while (*next && next != end) {
         uint32_t code = pel_utf8_next(&next);
         if (code == '\n') {
             pen.x = text->x;
             pen.y += text->font->ascent + text->font->descent;
+            before = NULL;
             continue;
         }
         const struct pel_font_glyph *glyph = pel_glyph_find(text->font, code);
         if (glyph) {
+            pen.x += pel_glyph_kerning(text->font, before, glyph);
             draw(surface, text, glyph, pen, paint);
             pen.x += glyph->advance;
+            before = glyph;
         }
     }
 }

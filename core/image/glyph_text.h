@@ -1,5 +1,5 @@
 /* 1-bit pictures, drawn with any paint; text: glyphs of a font next to each
- * other. */
+ * other, of one bit or smooth. */
 #ifndef PEL_IMAGE_GLYPH_TEXT_H
 #define PEL_IMAGE_GLYPH_TEXT_H
 
@@ -31,13 +31,13 @@ struct pel_text_size {
     int32_t width, height; /* px */
 };
 
-/* Paints the text. Glyphs stand in boxes `advance` wide and ascent + descent
- * high; the pen starts at x with the baseline `ascent` below y. A line feed
- * goes back to x and down by a line. Characters that the font lacks show its
- * `missing` glyph. Each glyph is a shape of its own: where two overlap, which
- * takes a font whose glyphs reach beyond their boxes, both are painted. x or y
- * out of range is a broken contract: PEL_ASSERT, and nothing is drawn. For
- * strings up to 2^22 bytes. */
+/* Paints the text. Glyphs stand in boxes `advance` wide, closer or further
+ * apart by the font's pairs, and ascent + descent high; the pen starts at x
+ * with the baseline `ascent` below y. A line feed goes back to x and down by a
+ * line. Characters that the font lacks show its `missing` glyph. Each glyph is
+ * a shape of its own: where two overlap, which takes a font whose glyphs reach
+ * beyond their boxes, both are painted. x or y out of range is a broken
+ * contract: PEL_ASSERT, and nothing is drawn. For strings up to 2^22 bytes. */
 void pel_text(const struct pel_surface *surface,
               const struct pel_text_block *text, const struct pel_paint *paint);
 
@@ -55,6 +55,17 @@ struct pel_text_size pel_text_measure(const struct pel_font_asset *font,
  * that are not UTF-8 (stray and missing bytes, overlong forms, surrogates, more
  * than U+10FFFF) give U+FFFD once for every sequence that breaks off. */
 uint32_t pel_utf8_next(const char **text);
+
+/* What the font's pairs move the pen between two glyphs, px; either may be
+ * NULL.
+ */
+static inline int32_t pel_glyph_kerning(const struct pel_font_asset *font,
+                                        const struct pel_font_glyph *left,
+                                        const struct pel_font_glyph *right)
+{
+    return font->kind && left && right ? font->kind->kerning(font, left, right)
+                                       : 0;
+}
 
 /* The glyph of a code point, or else the font's `missing` one, or NULL. */
 const struct pel_font_glyph *pel_glyph_find(const struct pel_font_asset *font,

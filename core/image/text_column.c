@@ -10,6 +10,7 @@ static struct line line_at(const struct pel_text_column *column,
                            const char *string)
 {
     struct line fits = {NULL, NULL, 0}; /* up to the spaces seen last */
+    const struct pel_font_glyph *last = NULL;
     int32_t x = 0, before;
     for (const char *at = string, *next = at;; at = next) {
         if (!*at || *at == '\n') {
@@ -22,7 +23,11 @@ static struct line line_at(const struct pel_text_column *column,
         const struct pel_font_glyph *glyph =
             pel_glyph_find(column->text.font, pel_utf8_next(&next));
         before = x;
-        x += glyph ? glyph->advance : 0;
+        if (glyph) {
+            x += pel_glyph_kerning(column->text.font, last, glyph) +
+                 glyph->advance;
+            last = glyph;
+        }
         if (*at == ' ')
             fits = fits.next == at ? (struct line){fits.end, next, fits.width}
                                    : (struct line){at, next, before};

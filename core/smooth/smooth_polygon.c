@@ -1,9 +1,7 @@
 #include "smooth_polygon.h"
 
+#include "smooth_part.h"
 #include "smooth_sweep.h"
-
-/* Bytes of a part of a row. */
-enum { BYTES = PEL_64BIT ? 64 : PEL_SMALL_CODE ? 8 : 16 };
 
 typedef char pel_smooth_polygon_fits[PEL_SMOOTH_POLYGON_SCRATCH_SIZE(1, 0) >=
                                              sizeof(struct pel_smooth_edge) +
@@ -58,39 +56,6 @@ static void add_edge(struct pel_smooth_sweep *w, const struct pel_point *a,
     place(w, w->count);
 }
 
-/* What is collected of a row. */
-struct part {
-    struct pel_smooth_row row;
-    uint8_t bytes[BYTES];
-};
-
-/* Paints it; the next part begins at x. */
-static void flush(struct pel_smooth_sweep *w, struct pel_smooth_row *row,
-                  int32_t x)
-{
-    if (row->left + row->full > 0)
-        pel_smooth_paint(&w->smooth, row);
-    row->x = x;
-    row->left = row->full = 0;
-}
-
-/* Pixels x to end of one coverage. */
-static void collect(struct pel_smooth_sweep *w, struct part *part, int32_t x,
-                    int32_t end, int32_t coverage)
-{
-    struct pel_smooth_row *const row = &part->row;
-    if (coverage == 0)
-        flush(w, row, end);
-    else if (coverage == 255)
-        row->full += end - x;
-    else
-        for (; x < end; x++) {
-            if (row->left == BYTES || row->full > 0)
-                flush(w, row, x);
-            part->bytes[row->left++] = (uint8_t)coverage;
-        }
-}
-
 /* How many are 0, from the first on. */
 static int32_t zeros(const int32_t *sum, int32_t n)
 {
@@ -114,19 +79,21 @@ static int32_t take_sum(int32_t *sum)
 static void paint_row(struct pel_smooth_sweep *w, int32_t y)
 {
     const struct pel_rect *const clip = &w->smooth.surface.clip;
-    struct part part;
-    int32_t area = 1 << 21, coverage = 0, x = w->lo, end;
-    part.row = (struct pel_smooth_row){y, x, 0, 0, 0, part.bytes};
-    for (; x < clip->x1 && (x < w->end || coverage > 0); x = end) {
-        int32_t *const sum = &w->sum[x - clip->x0];
+    struct pel_smooth_part part;
+    struct pel_span run = {w->lo, w->lo};
+    int32_t area = 1 << 21, coverage = 0;
+    pel_smooth_part_begin(&part, run.x0, y);
+    for (; run.x0 < clip->x1 && (run.x0 < w->end || coverage > 0);
+         run.x0 = run.x1) {
+        int32_t *const sum = &w->sum[run.x0 - clip->x0];
         area += take_sum(sum);
         coverage = pel_max(0, pel_min(area >> 22, 255));
-        end = pel_min(w->end, clip->x1);
-        end = x < end ? x + 1 + zeros(sum + 1, end - x - 1) : clip->x1;
-        collect(w, &part, x, end, coverage);
+        const int32_t left = pel_min(w->end, clip->x1) - run.x0 - 1;
+        run.x1 = left < 0 ? clip->x1 : run.x0 + 1 + zeros(sum + 1, left);
+        pel_smooth_collect(&w->smooth, &part, &run, coverage);
     }
-    w->sum[x - clip->x0] = 0;
-    flush(w, &part.row, x);
+    w->sum[run.x0 - clip->x0] = 0;
+    pel_smooth_flush(&w->smooth, &part, run.x0);
 }
 
 /* Edges that begin above the row's end become active. */

@@ -125,6 +125,17 @@ static bool keep_codes(struct font *font, const struct import_options *o)
            check_lacking(o->source);
 }
 
+static void write_pairs(struct import_text *text,
+                        const struct pel_font_asset *font)
+{
+    import_array_begin(text, "struct pel_font_pair", "pairs", font->pairs, 1);
+    for (uint32_t i = 0; i < font->pairs; i++) {
+        const struct pel_font_pair *p = &font->pair[i];
+        import_item(text, "{%d, %d, %d},", p->left, p->right, p->x);
+    }
+    import_array_end(text);
+}
+
 static void write_asset(struct import_text *text,
                         const struct pel_font_asset *font)
 {
@@ -150,6 +161,8 @@ static void write_asset(struct import_text *text,
                     r->glyph);
     }
     import_array_end(text);
+    if (font->pairs)
+        write_pairs(text, font);
     import_struct_begin(text);
     fprintf(out, "    PEL_FONT_MAGIC,\n    PEL_FONT_VERSION,\n");
     fprintf(out, "    %u, /* px above the baseline */\n", font->ascent);
@@ -157,8 +170,11 @@ static void write_asset(struct import_text *text,
     fprintf(out, "    %u,\n    %u,\n    %u, /* glyph of what is missing */\n",
             font->ranges, font->glyphs, font->missing);
     fprintf(out, "    %lu,\n", (unsigned long)font->size);
-    fprintf(out, "    %s_ranges,\n    %s_glyphs,\n    %s_bits,\n};\n", name,
-            name, name);
+    fprintf(out, "    %s_ranges,\n    %s_glyphs,\n    %s_bits,\n", name, name,
+            name);
+    fprintf(out, "    %s,\n", font->kind ? "&pel_font_smooth" : "NULL");
+    fprintf(out, "    %s%s,\n    %u,\n};\n", font->pairs ? name : "NULL",
+            font->pairs ? "_pairs" : "", font->pairs);
 }
 
 static bool write_file(const struct import_options *options,

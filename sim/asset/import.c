@@ -85,6 +85,14 @@ static const struct option_row options[] = {
     {.help = NULL},
 };
 
+static bool parse_bits(const char *option, const char *text, void *input)
+{
+    const bool four = strcmp(text, "4") == 0;
+    ((struct import_command *)input)->options.font.bits = four ? 4 : 1;
+    return four || strcmp(text, "1") == 0 ||
+           option_refuse(option, text, "1 or 4");
+}
+
 static const struct option_row font_options[] = {
     {.help = "Fonts:", .kind = OPTION_HEADING},
     {"codes", "RANGES",
@@ -101,6 +109,11 @@ static const struct option_row font_options[] = {
      "without a table)",
      OPTION_TEXT,
      .offset = offsetof(struct import_command, options.font.encoding)},
+    {"bits", "N",
+     "of a glyph's pixel: 1, or 4 of coverage, smooth, of a font of outlines "
+     "(1)",
+     OPTION_CALL, .offset = offsetof(struct import_command, options.font.bits),
+     .parse = parse_bits},
     {"font-size", "PX", "from line to line, of a font of outlines (16)",
      OPTION_INTEGER,
      .offset = offsetof(struct import_command, options.font.size), .low = 1,
@@ -156,7 +169,7 @@ static const struct use {
     {"name", IMPORT_MESH | IMPORT_PICTURE | IMPORT_FONT, "C assets"},
     {"format", IMPORT_PICTURE | IMPORT_MESH, "pictures and textures"},
     {"normals", IMPORT_MESH, "C assets of meshes"},
-    {"codes|chars|encoding|font-size", IMPORT_FONT, "fonts"},
+    {"codes|chars|encoding|font-size|bits", IMPORT_FONT, "fonts"},
     {"texture-file|normals-from|crease", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
     {"shade|transparency|order|cull|mapping|span", 0, "pel render"},
     {"background|" IMPORT_CHANGE_OPTIONS, IMPORT_PICTURE, "pictures"},

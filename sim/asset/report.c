@@ -81,19 +81,23 @@ void report_picture(const struct import_options *options,
 void report_font(const struct import_options *options,
                  const struct pel_font_asset *font)
 {
-    enum { STRUCT = 32 };
+    enum { STRUCT = 44 };
     char what[64];
     const size_t glyphs = font->glyphs * sizeof *font->glyph;
     const size_t ranges = font->ranges * sizeof *font->range;
     if (is_silent(options))
         return;
-    put(font->size, "rows of glyphs, equal ones once");
+    const size_t pairs = font->pairs * sizeof *font->pair;
+    put(font->size, font->kind ? "runs of coverage, equal glyphs once"
+                               : "rows of glyphs, equal ones once");
+    if (pairs)
+        put(pairs, "pairs of glyphs that are closer or further apart");
     put(glyphs, "places and sizes of glyphs");
     put(ranges, "ranges of characters");
     put(STRUCT, "the struct, on a 32-bit CPU");
     snprintf(what, sizeof(what), "bytes in flash: %u glyphs, lines of %d px",
              font->glyphs, font->ascent + font->descent);
-    put(font->size + glyphs + ranges + STRUCT, what);
+    put(font->size + glyphs + ranges + pairs + STRUCT, what);
 }
 
 static void put_textures(const struct model *model,

@@ -3,10 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/smooth/smooth_glyph.h"
 #include "sim/cli/message.h"
 
 struct rows {
-    const uint8_t *bits;
+    uint8_t *bits; /* as the asset has them */
     size_t size;
     struct pel_font_glyph *glyph;
 };
@@ -33,6 +34,77 @@ static size_t place_rows(uint8_t *to, const struct rows *rows, size_t count)
         rows->glyph->offset = (uint32_t)(size - rows->size);
     }
     return size;
+}
+
+/* The nibbles of a smooth glyph (core/smooth/smooth_glyph.h). */
+struct nibbles {
+    uint8_t *at;
+    size_t count;
+};
+
+static void put_nibble(struct nibbles *n, int value)
+{
+    n->at[n->count / 2] |= (uint8_t)(n->count % 2 ? value : value << 4);
+    n->count++;
+}
+
+/* Returns the bytes. `to` has room for two nibbles a pixel, all 0. */
+static size_t encode(uint8_t *to, const uint8_t *level, size_t pixels)
+{
+    struct nibbles n = {to, 0};
+    for (size_t i = 0, run = 1; i < pixels; i += run) {
+        const int value = (level[i] * 15 + 127) / 255;
+        put_nibble(&n, value);
+        run = 1;
+        if (value > 0 && value < 15)
+            continue;
+        while (i + run < pixels && (level[i + run] * 15 + 127) / 255 == value)
+            run++;
+        for (size_t left = run;; left -= 15) {
+            put_nibble(&n, left < 15 ? (int)left : 15);
+            if (left < 15)
+                break;
+        }
+    }
+    return (n.count + 1) / 2;
+}
+
+/* Rows in the asset's own form, malloc'ed. */
+static struct rows rows_of(const struct font *font, const struct font_char *c,
+                           struct pel_font_glyph *glyph)
+{
+    const uint8_t *bits = font->bits + c->offset;
+    const size_t pixels = (size_t)c->width * (size_t)c->height;
+    struct rows rows = {NULL, pel_font_glyph_size(glyph), glyph};
+    rows.bits = calloc(font->is_smooth ? pixels + 1 : rows.size + 1, 1);
+    if (rows.bits && font->is_smooth)
+        rows.size = encode(rows.bits, bits, pixels);
+    else if (rows.bits)
+        memcpy(rows.bits, bits, rows.size);
+    return rows;
+}
+
+static int index_of(const struct font *font, uint32_t code)
+{
+    for (size_t i = 0; i < font->count && i < 256; i++)
+        if (font->chars[i].code == code)
+            return (int)i;
+    return -1;
+}
+
+/* Those whose glyphs are there, among the first 256. */
+static uint16_t fill_pairs(struct pel_font_pair *pair, const struct font *font)
+{
+    uint16_t n = 0;
+    for (size_t i = 0; i < font->pair_count && n < UINT16_MAX; i++) {
+        const struct font_pair *p = &font->pairs[i];
+        const int left = index_of(font, p->left);
+        const int right = index_of(font, p->right);
+        if (left >= 0 && right >= 0 && p->x >= -128 && p->x <= 127)
+            pair[n++] = (struct pel_font_pair){(uint8_t)left, (uint8_t)right,
+                                               (int8_t)p->x};
+    }
+    return n;
 }
 
 static struct pel_font_glyph glyph_of(const struct font_char *c)
@@ -90,6 +162,29 @@ bool font_add_box(struct font *font)
     return font_add(font, &box, rows[0], sizeof(rows[0]));
 }
 
+/* Glyphs and their rows; false when memory is short. */
+static bool make_rows(struct pel_font_asset *asset, const struct font *font,
+                      struct pel_font_glyph *glyph, struct rows *rows)
+{
+    size_t size = 1;
+    bool done = true;
+    for (size_t i = 0; i < font->count; i++) {
+        glyph[i] = glyph_of(&font->chars[i]);
+        rows[i] = rows_of(font, &font->chars[i], &glyph[i]);
+        size += rows[i].size;
+        done = done && rows[i].bits;
+    }
+    uint8_t *bits = done ? calloc(size, 1) : NULL;
+    if (bits) {
+        qsort(rows, font->count, sizeof *rows, by_bits);
+        asset->size = (uint32_t)place_rows(bits, rows, font->count) + 1;
+        asset->bits = bits;
+    }
+    for (size_t i = 0; i < font->count; i++)
+        free(rows[i].bits);
+    return bits != NULL;
+}
+
 bool font_asset_make(struct pel_font_asset *asset, const struct font *font,
                      const char *path)
 {
@@ -102,7 +197,7 @@ bool font_asset_make(struct pel_font_asset *asset, const struct font *font,
                                 n);
     struct pel_font_range *range = malloc((n + 1) * sizeof *range);
     struct pel_font_glyph *glyph = malloc((n + 1) * sizeof *glyph);
-    uint8_t *bits = calloc(font->size + 1, 1);
+    struct pel_font_pair *pair = malloc((font->pair_count + 1) * sizeof *pair);
     struct rows *rows = malloc((n + 1) * sizeof *rows);
     *asset = (struct pel_font_asset){.magic = PEL_FONT_MAGIC,
                                      .version = PEL_FONT_VERSION,
@@ -112,17 +207,13 @@ bool font_asset_make(struct pel_font_asset *asset, const struct font *font,
                                      .missing = missing_of(font),
                                      .range = range,
                                      .glyph = glyph,
-                                     .bits = bits};
-    const bool done = range && glyph && bits && rows;
-    for (size_t i = 0; done && i < n; i++) {
-        glyph[i] = glyph_of(&font->chars[i]);
-        rows[i] = (struct rows){font->bits + font->chars[i].offset,
-                                pel_font_glyph_size(&glyph[i]), &glyph[i]};
-    }
+                                     .pair = pair};
+    const bool done =
+        range && glyph && pair && rows && make_rows(asset, font, glyph, rows);
     if (done) {
-        qsort(rows, n, sizeof *rows, by_bits);
-        asset->size = (uint32_t)place_rows(bits, rows, n) + 1;
         asset->ranges = fill_ranges(range, font);
+        asset->pairs = fill_pairs(pair, font);
+        asset->kind = font->is_smooth ? &pel_font_smooth : NULL;
     } else
         font_asset_free(asset);
     free(rows);
@@ -159,5 +250,6 @@ void font_asset_free(struct pel_font_asset *asset)
     free((void *)(uintptr_t)asset->range);
     free((void *)(uintptr_t)asset->glyph);
     free((void *)(uintptr_t)asset->bits);
+    free((void *)(uintptr_t)asset->pair);
     *asset = (struct pel_font_asset){.magic = 0};
 }

@@ -74,6 +74,7 @@ static bool put_font(const void *what, FILE *out)
     fwrite(&font, sizeof font, 1, out);
     child_put(out, font.chars, font.count * sizeof *font.chars);
     child_put(out, font.bits, font.size);
+    child_put(out, font.pairs, font.pair_count * sizeof *font.pairs);
     return true;
 }
 
@@ -99,6 +100,7 @@ bool font_load(struct font *font, const char *path,
         *font = (struct font){.missing = -1};
     font->chars = done ? child_get(in, &size, &done) : NULL;
     font->bits = done ? child_get(in, &size, &done) : NULL;
+    font->pairs = done ? child_get(in, &size, &done) : NULL;
     if (in)
         fclose(in);
     if (done)
@@ -112,18 +114,27 @@ void font_free(struct font *font)
 {
     free(font->chars);
     free(font->bits);
+    free(font->pairs);
     *font = (struct font){.missing = -1};
 }
 
-static bool bit_at(const uint8_t *row, int x)
+/* Rows as files have them. */
+struct rows {
+    const uint8_t *at;
+    size_t stride;
+    bool is_smooth; /* a byte a pixel */
+};
+
+static uint8_t level_at(const struct rows *rows, int x, int y)
 {
-    return row[x / 8] >> (7 - x % 8) & 1;
+    const uint8_t *row = rows->at + (size_t)y * rows->stride;
+    return rows->is_smooth ? row[x] : row[x / 8] >> (7 - x % 8) & 1;
 }
 
 /* The glyph without its empty margins; *x0 and *y0 are the column and row where
  * it begins. */
-static struct font_char trimmed(const struct font_char *c, const uint8_t *rows,
-                                size_t stride, int *x0, int *y0)
+static struct font_char trimmed(const struct font_char *c,
+                                const struct rows *rows, int *x0, int *y0)
 {
     int x1 = 0, y1 = 0;
     struct font_char t = *c;
@@ -131,7 +142,7 @@ static struct font_char trimmed(const struct font_char *c, const uint8_t *rows,
     *y0 = c->height;
     for (int y = 0; y < c->height; y++)
         for (int x = 0; x < c->width; x++)
-            if (bit_at(rows + (size_t)y * stride, x)) {
+            if (level_at(rows, x, y)) {
                 *x0 = x < *x0 ? x : *x0;
                 *y0 = y < *y0 ? y : *y0;
                 x1 = x >= x1 ? x + 1 : x1;
@@ -152,24 +163,29 @@ bool font_add_alias(struct font *font, uint32_t code)
 }
 
 bool font_add(struct font *font, const struct font_char *glyph,
-              const uint8_t *rows, size_t stride)
+              const uint8_t *bits, size_t stride)
 {
+    const struct rows rows = {bits, stride, font->is_smooth};
     int x0, y0;
-    struct font_char c = trimmed(glyph, rows, stride, &x0, &y0);
-    const size_t row = ((size_t)c.width + 7) / 8;
+    struct font_char c = trimmed(glyph, &rows, &x0, &y0);
+    const size_t row =
+        font->is_smooth ? (size_t)c.width : ((size_t)c.width + 7) / 8;
     const size_t bytes = row * (size_t)c.height;
     c.offset = font->size;
-    uint8_t *bits = realloc(font->bits, font->size + bytes + 1);
-    if (!bits)
+    uint8_t *to = realloc(font->bits, font->size + bytes + 1);
+    if (!to)
         return message_error("out of memory");
-    font->bits = bits;
-    bits += font->size;
+    font->bits = to;
+    to += font->size;
     font->size += bytes;
-    memset(bits, 0, bytes + 1);
-    for (int y = 0; y < c.height; y++)
-        for (int x = 0; x < c.width; x++)
-            if (bit_at(rows + (size_t)(y0 + y) * stride, x0 + x))
-                bits[(size_t)y * row + (size_t)x / 8] |=
-                    (uint8_t)(0x80 >> x % 8);
+    memset(to, 0, bytes + 1);
+    for (int y = 0; y < c.height; y++, to += row)
+        for (int x = 0; x < c.width; x++) {
+            const uint8_t level = level_at(&rows, x0 + x, y0 + y);
+            if (font->is_smooth)
+                to[x] = level;
+            else if (level)
+                to[x / 8] |= (uint8_t)(0x80 >> x % 8);
+        }
     return list_add(&font->chars, &font->count, &c, sizeof c);
 }

@@ -1,4 +1,4 @@
-/* Fonts of 1-bit glyphs, as files hold them. */
+/* Fonts of glyphs of one bit, or of coverage, as files hold them. */
 #ifndef SIM_FONT_FONT_H
 #define SIM_FONT_FONT_H
 
@@ -19,7 +19,14 @@ struct font_char {
     int left, top; /* px from the pen to the left column, and from the baseline
                       up to above the top row */
     int advance;
-    size_t offset; /* of its rows in font.bits, as in core/asset/font_asset.h */
+    size_t offset; /* of its rows in font.bits, as in core/asset/font_asset.h;
+                      of coverage a byte a pixel */
+};
+
+/* Beside the advance, between two code points; x in px. */
+struct font_pair {
+    uint32_t left, right;
+    int x;
 };
 
 struct font {
@@ -29,11 +36,15 @@ struct font {
     size_t count;
     uint8_t *bits;
     size_t size;
+    bool is_smooth;          /* bits are bytes of coverage, one a pixel */
+    struct font_pair *pairs; /* by left, then right */
+    size_t pair_count;
 };
 
 struct font_options {
     const char *encoding; /* of its codes, by charset_open; NULL: as it says */
     int size;             /* px from line to line of a scalable font */
+    int bits;             /* of a pixel: 4 for coverage, else 1 */
     bool (*is_wanted)(long code); /* what is not is left out without a word;
                                      NULL: all are */
 };
@@ -64,11 +75,11 @@ bool font_parse_other(struct font *font, const struct font_file *file);
  */
 bool font_unpack(struct font_file *file);
 
-/* For the parsers: adds a glyph whose rows are `stride` bytes apart, without
- * the empty rows and columns around it. False when memory is short or the glyph
- * is out of range (message). */
+/* For the parsers: adds a glyph whose rows are `stride` bytes apart, of bits,
+ * or of bytes in a smooth font, without the empty rows and columns around it.
+ * False when memory is short or the glyph is out of range (message). */
 bool font_add(struct font *font, const struct font_char *glyph,
-              const uint8_t *rows, size_t stride);
+              const uint8_t *bits, size_t stride);
 
 /* The last glyph once more, for another code point. False when memory is short.
  */

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "sim/cli/bytes.h"
+#include "sim/cli/list.h"
 #include "sim/cli/message.h"
 
 #ifdef HAVE_FREETYPE
@@ -18,6 +19,7 @@
 #include FT_SYSTEM_H
 
 #include "sim/font/charset.h"
+#include "sim/font/outline.h"
 
 struct reading {
     struct font *font;
@@ -140,35 +142,85 @@ static bool set_charset(struct reading *r)
                                   "font with one");
 }
 
+static bool is_wanted(const struct reading *r, long character)
+{
+    const struct font_options *o = &r->file->options;
+    return !o->is_wanted || o->is_wanted(character);
+}
+
+/* Loads a glyph; of outlines hints move what is level, as light hinting does,
+ * so that stems keep their width. */
+static bool load(const struct reading *r, FT_UInt index)
+{
+    const FT_GlyphSlot slot = r->face->glyph;
+    if (r->font->is_smooth)
+        return FT_Load_Glyph(r->face, index,
+                             FT_LOAD_NO_BITMAP | FT_LOAD_TARGET_LIGHT) == 0 &&
+               slot->format == FT_GLYPH_FORMAT_OUTLINE;
+    return FT_Load_Glyph(r->face, index,
+                         FT_LOAD_RENDER | FT_LOAD_TARGET_MONO |
+                             FT_LOAD_MONOCHROME) == 0 &&
+           (!slot->bitmap.buffer ||
+            slot->bitmap.pixel_mode == FT_PIXEL_MODE_MONO);
+}
+
 /* Draws a glyph into the font. */
 static bool add(struct reading *r, FT_UInt index, long character)
 {
     enum { MOST = FONT_SIZE_MAX };
     const FT_GlyphSlot slot = r->face->glyph;
-    const struct font_options *o = &r->file->options;
-    const bool is_wanted = !o->is_wanted || o->is_wanted(character);
-    if (FT_Load_Glyph(r->face, index,
-                      FT_LOAD_RENDER | FT_LOAD_TARGET_MONO |
-                          FT_LOAD_MONOCHROME) != 0 ||
-        (slot->bitmap.buffer &&
-         slot->bitmap.pixel_mode != FT_PIXEL_MODE_MONO)) {
-        r->failed += is_wanted;
+    uint8_t *level = NULL;
+    if (!load(r, index)) {
+        r->failed += is_wanted(r, character);
         return true;
     }
-    const struct font_char c = {.code = (uint32_t)character,
-                                .width = (int)slot->bitmap.width,
-                                .height = (int)slot->bitmap.rows,
-                                .left = slot->bitmap_left,
-                                .top = slot->bitmap_top,
-                                .advance = (int)(slot->advance.x + 32) >> 6};
+    struct font_char c = {.code = (uint32_t)character,
+                          .width = (int)slot->bitmap.width,
+                          .height = (int)slot->bitmap.rows,
+                          .left = slot->bitmap_left,
+                          .top = slot->bitmap_top,
+                          .advance = (int)(slot->advance.x + 32) >> 6};
+    if (r->font->is_smooth && !(level = outline_draw(&slot->outline, &c)))
+        return false;
     if (c.width > MOST || c.height > MOST || c.left < -MOST || c.left > MOST ||
         c.top > MOST || c.top - c.height < -MOST || c.advance < 0 ||
         c.advance > MOST) {
-        r->large += is_wanted;
+        r->large += is_wanted(r, character);
+        free(level);
         return true;
     }
-    return font_add(r->font, &c, slot->bitmap.buffer,
-                    (size_t)abs(slot->bitmap.pitch));
+    const bool done = level ? font_add(r->font, &c, level, (size_t)c.width)
+                            : font_add(r->font, &c, slot->bitmap.buffer,
+                                       (size_t)abs(slot->bitmap.pitch));
+    free(level);
+    return done;
+}
+
+/* The pairs of the first characters that are wanted, as many as an asset can
+ * have pairs of. */
+static bool add_pairs(struct reading *r)
+{
+    enum { MOST = 256 };
+    FT_UInt glyph[MOST];
+    uint32_t code[MOST];
+    size_t n = 0;
+    for (size_t i = 0; i < r->font->count && n < MOST; i++)
+        if (is_wanted(r, r->font->chars[i].code)) {
+            code[n] = r->font->chars[i].code;
+            glyph[n] = FT_Get_Char_Index(r->face, code[n]);
+            n++;
+        }
+    for (size_t i = 0; i < n * n; i++) {
+        FT_Vector by = {0, 0};
+        FT_Get_Kerning(r->face, glyph[i / n], glyph[i % n], FT_KERNING_DEFAULT,
+                       &by);
+        const struct font_pair pair = {code[i / n], code[i % n],
+                                       (int)(by.x + 32) >> 6};
+        if (pair.x && !list_add(&r->font->pairs, &r->font->pair_count, &pair,
+                                sizeof pair))
+            return false;
+    }
+    return true;
 }
 
 static void report(const struct reading *r)
@@ -247,11 +299,16 @@ bool font_parse_other(struct font *font, const struct font_file *file)
         return message_error_at(file->path, 0,
                                 "is no font: expected a BDF, PSF, PCF, "
                                 "TrueType, OpenType or WOFF file");
+    font->is_smooth = file->options.bits == 4;
+    if (font->is_smooth && !FT_IS_SCALABLE(r.face))
+        return message_error_at(file->path, 0,
+                                "has pictures of glyphs, no outlines: expected "
+                                "no --bits 4");
     if (!set_size(&r) || !check_encoding(&r) || !set_charset(&r) ||
         !set_lines(&r) || !add_all(&r))
         return false;
     report(&r);
-    return true;
+    return !font->is_smooth || !FT_HAS_KERNING(r.face) || add_pairs(&r);
 }
 
 #else

@@ -37,7 +37,7 @@ static bool load_font(struct pel_font_asset *asset, const char *path)
 {
     struct font font;
     const bool done =
-        font_load(&font, path, &(struct font_options){NULL, FONT_SIZE, NULL}) &&
+        font_load(&font, path, &(struct font_options){.size = FONT_SIZE}) &&
         font_asset_make(asset, &font, path);
     font_free(&font);
     return done;
