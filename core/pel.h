@@ -53,7 +53,6 @@
 #include "smooth/smooth_arc.h"
 #include "smooth/smooth_circle.h"
 #include "smooth/smooth_convex.h"
-#include "smooth/smooth_glyph.h"
 #include "smooth/smooth_gouraud.h"
 #include "smooth/smooth_polygon.h"
 #include "smooth/smooth_rectangle.h"
@@ -79,6 +78,7 @@
 #include "image/copy.h"
 #include "image/glyph_text.h"
 #include "image/scroll.h"
+#include "image/smooth_glyph.h"
 #include "image/text_column.h"
 
 #include "asset/font_asset.h"

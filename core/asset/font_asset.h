@@ -1,5 +1,5 @@
 /* Fonts in flash, as `pel import` writes them: glyphs of one bit, or smooth
- * ones (smooth/smooth_glyph.h). */
+ * ones (image/smooth_glyph.h). */
 #ifndef PEL_ASSET_FONT_ASSET_H
 #define PEL_ASSET_FONT_ASSET_H
 

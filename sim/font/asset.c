@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/smooth/smooth_glyph.h"
+#include "core/image/smooth_glyph.h"
 #include "sim/cli/message.h"
 
 struct rows {
@@ -36,7 +36,7 @@ static size_t place_rows(uint8_t *to, const struct rows *rows, size_t count)
     return size;
 }
 
-/* The nibbles of a smooth glyph (core/smooth/smooth_glyph.h). */
+/* The nibbles of a smooth glyph (core/image/smooth_glyph.h). */
 struct nibbles {
     uint8_t *at;
     size_t count;

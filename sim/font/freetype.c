@@ -170,6 +170,8 @@ static bool add(struct reading *r, FT_UInt index, long character)
     enum { MOST = FONT_SIZE_MAX };
     const FT_GlyphSlot slot = r->face->glyph;
     uint8_t *level = NULL;
+    if (r->font->is_smooth && !is_wanted(r, character))
+        return true;
     if (!load(r, index)) {
         r->failed += is_wanted(r, character);
         return true;
@@ -299,11 +301,7 @@ bool font_parse_other(struct font *font, const struct font_file *file)
         return message_error_at(file->path, 0,
                                 "is no font: expected a BDF, PSF, PCF, "
                                 "TrueType, OpenType or WOFF file");
-    font->is_smooth = file->options.bits == 4;
-    if (font->is_smooth && !FT_IS_SCALABLE(r.face))
-        return message_error_at(file->path, 0,
-                                "has pictures of glyphs, no outlines: expected "
-                                "no --bits 4");
+    font->is_smooth = file->options.bits == 4 && FT_IS_SCALABLE(r.face);
     if (!set_size(&r) || !check_encoding(&r) || !set_charset(&r) ||
         !set_lines(&r) || !add_all(&r))
         return false;

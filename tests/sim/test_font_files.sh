@@ -207,6 +207,33 @@ P2
 00000000000011100
 00000000000000000
 EOF
+    font smooth "$outlines" --codes A,V,g --font-size 16 --bits 4
+    shows smooth 'AVg' <<'EOF'
+P2
+26 16
+1
+00000000000000000000000000
+00000000000000000000000000
+00000000000000000000000000
+00011000011000001100000000
+00011100001000001000000000
+00010100001000011000111010
+00110110001100010001100110
+00100010000100010001000010
+01100010000110110001000010
+01111111000010100001000010
+01000001000011100001100110
+11000001100011000000111010
+00000000000000000000000010
+00000000000000000000000110
+00000000000000000000111100
+00000000000000000000000000
+EOF
+    font smooth "$outlines" --codes A,V --font-size 28 --bits 4
+    grep -q 'pel_font_pair smooth\|pel_font_pair asset' "$dir/smooth.c" ||
+        fail "no pairs of A and V"
+    refused "is '3'" "$outlines" --bits 3
+    refused 'no outlines' "$dir/hand.bdf" --bits 4
     refused 'has the characters of Unicode' "$outlines" --encoding koi8-r
     for size in 8 11 24 100 255; do
         lines=$("$PEL" import "$outlines" --codes 32-126 --font-size $size \

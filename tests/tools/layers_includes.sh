@@ -26,7 +26,8 @@ find core drivers port examples -name '*.[ch]' -o -name '*.inc' | sort | xargs a
         allow("core/scene", "core core/base core/asset core/format" \
               " core/raster core/paint")
         allow("core/asset", "core core/base")
-        allow("core/image", "core core/base core/asset core/format core/raster")
+        allow("core/image", "core core/base core/asset core/format core/raster" \
+              " core/smooth")
         allow("drivers", "port")
         allow("port", "drivers")
         allow("examples", "drivers port bench")

@@ -1,6 +1,6 @@
 #include "smooth_glyph.h"
 
-#include "smooth_part.h"
+#include "../smooth/smooth_part.h"
 
 /* Pixels of a glyph. */
 enum { MOST = 255 * 255 };

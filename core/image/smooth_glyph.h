@@ -7,11 +7,11 @@
  * row by row: 1 to 14 is a pixel of so many fifteenths, 0 and 15 are followed
  * by the length of a run, as nibbles that add up, of which the last is not 15.
  * Runs go on from row to row. */
-#ifndef PEL_SMOOTH_SMOOTH_GLYPH_H
-#define PEL_SMOOTH_SMOOTH_GLYPH_H
+#ifndef PEL_IMAGE_SMOOTH_GLYPH_H
+#define PEL_IMAGE_SMOOTH_GLYPH_H
 
 #include "../asset/font_asset.h"
-#include "smooth.h"
+#include "../smooth/smooth.h"
 
 PEL_BEGIN_DECLS
 

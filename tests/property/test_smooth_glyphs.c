@@ -1,0 +1,234 @@
+/* Smooth glyphs: what was written as runs is drawn, whatever the clip and the
+ * band; bytes that are no runs are refused, or stay inside. */
+#include <string.h>
+
+#include "core/format/formats.h"
+#include "core/image/text_column.h"
+#include "core/image/smooth_glyph.h"
+#include "tests/support/cases.h"
+#include "tests/support/check.h"
+
+enum { SIDE = 48, PIXELS = SIDE * SIDE, MOST = 2 * 255 * 255 };
+
+/* A font of one glyph, for 'a'. */
+struct one {
+    uint8_t level[255 * 255]; /* of 15 */
+    uint8_t bits[MOST];
+    uint32_t nibbles;
+    struct pel_font_glyph glyph;
+    struct pel_font_range range;
+    struct pel_font_asset font;
+};
+
+static void put(struct one *o, uint32_t value)
+{
+    uint8_t *byte = &o->bits[o->nibbles / 2];
+    *byte = (uint8_t)(o->nibbles % 2 ? *byte | value : value << 4);
+    o->nibbles++;
+}
+
+/* Runs may be cut anywhere: some are, here. */
+static void encode(struct random *r, struct one *o, int32_t pixels)
+{
+    o->nibbles = 0;
+    for (int32_t i = 0, n; i < pixels; i += n) {
+        const uint32_t value = o->level[i];
+        put(o, value);
+        n = 1;
+        if (value > 0 && value < 15)
+            continue;
+        while (i + n < pixels && o->level[i + n] == value &&
+               random_between(r, 0, 200))
+            n++;
+        int32_t left = n;
+        for (; left >= 15; left -= 15)
+            put(o, 15);
+        put(o, (uint32_t)left);
+    }
+}
+
+static void make_font(struct one *o, int32_t width, int32_t height,
+                      uint32_t size)
+{
+    o->glyph =
+        (struct pel_font_glyph){0, (uint8_t)width, (uint8_t)height, 0, 0, 7};
+    o->range = (struct pel_font_range){'a', 1, 0};
+    o->font = (struct pel_font_asset){.magic = PEL_FONT_MAGIC,
+                                      .version = PEL_FONT_VERSION,
+                                      .ranges = 1,
+                                      .glyphs = 1,
+                                      .missing = PEL_FONT_NONE,
+                                      .size = size,
+                                      .range = &o->range,
+                                      .glyph = &o->glyph,
+                                      .bits = o->bits,
+                                      .kind = &pel_font_smooth};
+}
+
+static void make(struct random *r, struct one *o)
+{
+    const int32_t most = random_between(r, 0, 50) ? 24 : 255;
+    const int32_t width = random_between(r, 0, most);
+    const int32_t height = random_between(r, 0, most);
+    for (int32_t i = 0, n; i < width * height; i += n) {
+        const int32_t kind = random_between(r, 0, 3);
+        n = random_between(r, 1, random_between(r, 0, 9) ? 6 : 400);
+        for (int32_t k = i; k < i + n && k < width * height; k++)
+            o->level[k] = (uint8_t)(kind == 0   ? 0
+                                    : kind == 1 ? 15
+                                                : random_between(r, 0, 15));
+    }
+    encode(r, o, width * height);
+    make_font(o, width, height, (o->nibbles + 1) / 2);
+}
+
+static uint8_t expected(const struct one *o, int32_t x, int32_t y)
+{
+    const bool is_in =
+        x >= 0 && y >= 0 && x < o->glyph.width && y < o->glyph.height;
+    return is_in ? (uint8_t)(o->level[y * o->glyph.width + x] * 17) : 0;
+}
+
+static struct pel_surface surface_of(uint8_t *pixels)
+{
+    struct pel_surface s;
+    assert_int_equal(pel_surface_init(&s, &pel_gray8, pixels, PIXELS,
+                                      &(struct pel_rect){0, 0, SIDE, SIDE}),
+                     PEL_OK);
+    return s;
+}
+
+static void draw(const struct one *o, struct pel_surface *s, int32_t x,
+                 int32_t y)
+{
+    const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
+    const struct pel_text_block text = {&o->font, "a", x, y};
+    pel_text(s, &text, &white.paint);
+}
+
+TEST(glyphs_are_what_was_written)
+{
+    static struct one o;
+    static uint8_t pixels[PIXELS];
+    for (struct cases c = cases_of(3000); cases_next(&c);) {
+        struct random *r = &c.random;
+        struct pel_surface s = surface_of(pixels);
+        make(r, &o);
+        assert_int_equal(pel_font_asset_check(&o.font), PEL_OK);
+        const int32_t x = random_between(r, -30, SIDE);
+        const int32_t y = random_between(r, -30, SIDE);
+        const int32_t cut = random_between(r, 0, SIDE);
+        s.clip.x0 = random_between(r, 0, SIDE / 2);
+        s.clip.x1 = random_between(r, SIDE / 2, SIDE);
+        const struct pel_rect clip = s.clip;
+        memset(pixels, 0, sizeof pixels);
+        s.clip.y1 = cut;
+        draw(&o, &s, x, y);
+        s.clip.y0 = cut;
+        s.clip.y1 = SIDE;
+        draw(&o, &s, x, y);
+        for (int32_t i = 0; i < PIXELS; i++) {
+            const int32_t at = i % SIDE;
+            const bool is_seen = at >= clip.x0 && at < clip.x1;
+            if (pixels[i] != (is_seen ? expected(&o, at - x, i / SIDE - y) : 0))
+                fail_msg("%d x %d px at %d, %d: pixel %d, %d is %d: %s",
+                         o.glyph.width, o.glyph.height, x, y, at, i / SIDE,
+                         pixels[i], cases_replay());
+        }
+    }
+}
+
+/* A font that passes its check is drawn from inside its bytes, which end where
+ * a sanitizer watches. */
+TEST(no_bytes_are_read_beyond)
+{
+    static struct one o;
+    static uint8_t pixels[PIXELS];
+    uint32_t good = 0;
+    for (struct cases c = cases_of(20000); cases_next(&c);) {
+        struct random *r = &c.random;
+        struct pel_surface s = surface_of(pixels);
+        const uint32_t size = (uint32_t)random_between(r, 1, 40);
+        uint8_t bits[40];
+        for (uint32_t i = 0; i < size; i++)
+            bits[40 - size + i] =
+                (uint8_t)(random_word(r) >> random_between(r, 0, 24));
+        make_font(&o, random_between(r, 0, 20), random_between(r, 0, 20), size);
+        o.font.bits = bits + 40 - size;
+        o.glyph.offset = (uint32_t)random_between(r, 0, (int32_t)size + 1);
+        if (pel_font_asset_check(&o.font) != PEL_OK)
+            continue;
+        good++;
+        draw(&o, &s, random_between(r, -10, SIDE),
+             random_between(r, -10, SIDE));
+    }
+    assert_true(good > 100 || cases_alone());
+}
+
+TEST(runs_that_are_cut_off)
+{
+    static struct one o;
+    static const struct {
+        uint8_t bytes[3];
+        uint32_t size;
+        enum pel_status status;
+    } row[] = {
+        {{0x09}, 1, PEL_OK},                     /* nine of 0 */
+        {{0x08}, 1, PEL_ERROR_SIZE},             /* one is missing */
+        {{0xFF}, 1, PEL_ERROR_SIZE},             /* a length goes on */
+        {{0xFF, 0x00}, 2, PEL_OK},               /* fifteen and nothing */
+        {{0x11, 0x11, 0x10}, 3, PEL_ERROR_SIZE}, /* five, and a 0 alone */
+        {{0}, 0, PEL_ERROR_SIZE},
+    };
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        memcpy(o.bits, row[i].bytes, 3);
+        make_font(&o, 3, 3, row[i].size);
+        assert_int_equal(pel_font_asset_check(&o.font), row[i].status);
+    }
+    o.font.pairs = 1;
+    assert_int_equal(pel_font_asset_check(&o.font), PEL_ERROR_NULL);
+}
+
+/* Two glyphs of three columns; pairs move the second one, the measured size and
+ * where lines break. */
+TEST(pairs)
+{
+    static const uint8_t bits[] = {0xF3}; /* 15, three */
+    static const struct pel_font_glyph glyph[] = {{0, 3, 1, 0, 1, 4},
+                                                  {0, 3, 1, 0, 1, 4}};
+    static const struct pel_font_range range = {'a', 2, 0};
+    static const struct pel_font_pair pair[] = {{0, 0, 2}, {0, 1, -1}};
+    static const struct pel_font_asset font = {PEL_FONT_MAGIC,
+                                               PEL_FONT_VERSION,
+                                               1,
+                                               0,
+                                               1,
+                                               2,
+                                               PEL_FONT_NONE,
+                                               sizeof bits,
+                                               &range,
+                                               glyph,
+                                               bits,
+                                               &pel_font_smooth,
+                                               pair,
+                                               2};
+    const struct {
+        const char *text;
+        int32_t width;
+    } row[] = {{"ab", 7}, {"aa", 10}, {"ba", 8}, {"aab", 13}, {"a\nb", 4}};
+    assert_int_equal(pel_font_asset_check(&font), PEL_OK);
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++)
+        assert_int_equal(pel_text_measure(&font, row[i].text).width,
+                         row[i].width);
+
+    uint8_t pixels[PIXELS] = {0};
+    struct pel_surface s = surface_of(pixels);
+    const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
+    const struct pel_text_block text = {&font, "ab", 1, 0};
+    pel_text(&s, &text, &white.paint);
+    for (int32_t x = 0; x < 10; x++)
+        assert_int_equal(pixels[x], x >= 1 && x < 7 ? 255 : 0);
+
+    const struct pel_text_column narrow = {.text = text, .width = 7};
+    assert_int_equal(pel_text_column_draw(NULL, &narrow, NULL).height, 1);
+}
