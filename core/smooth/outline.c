@@ -135,8 +135,8 @@ void pel_smooth_line_add(const struct pel_smooth_line *l,
     const int32_t bottom = pel_min(below, l->bottom.y);
     if (top >= bottom)
         return;
-    const int32_t a = line_at(l, top), b = line_at(l, bottom);
-    const struct pel_smooth_piece piece = {
-        l->base.x, pel_min(a, b), pel_max(a, b), bottom - top, l->rise};
+    struct pel_smooth_line_piece piece = {0, 0, 0, bottom - top, l->rise};
+    pel_smooth_line_piece_set(&piece, l->base.x, line_at(l, top),
+                              line_at(l, bottom));
     pel_smooth_window_line(w, &piece, l->left);
 }

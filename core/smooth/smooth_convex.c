@@ -62,8 +62,7 @@ static uint32_t *merge(uint32_t *area, uint32_t *middle, const uint32_t *end,
     return to;
 }
 
-static PEL_NOINLINE void cross_rows(struct pel_smooth_walk *k, int32_t y,
-                                    int32_t n)
+void pel_smooth_cross_rows(struct pel_smooth_walk *k, int32_t y, int32_t n)
 {
     uint32_t area[2 * PEL_SMOOTH_WIDE];
     uint8_t *const bytes = (uint8_t *)area;
@@ -169,7 +168,7 @@ static void walk_rows(struct pel_smooth_walk *k, int32_t y, int32_t end)
             pel_smooth_vertex_row(k, y++);
             continue;
         }
-        cross_rows(k, y, rows);
+        pel_smooth_cross_rows(k, y, rows);
         y += rows;
         for (int i = 0; i < 2; i++)
             if (k->v[k->side[i].to].y <= PEL_PX(y))

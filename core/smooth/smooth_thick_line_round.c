@@ -1,22 +1,98 @@
+/* A line with round ends: two sides, each of which is an arc around the upper
+ * end, a line and an arc around the lower one. Rows that both sides cross as
+ * lines are those of a convex polygon (smooth_walk.h). */
+#include "../base/divide.h"
 #include "../base/sqrt.h"
-#include "path.h"
+#include "outline.h"
 #include "smooth_thick_line.h"
+#include "smooth_walk.h"
 
-/* The place at a radius to the right of a direction, which is not 0. The
- * inverse of its length is 2^(62 - shift) times that: 2^30 are a whole. */
-static struct pel_smooth_path_place across(struct pel_point d, int32_t radius)
+struct capsule {
+    struct pel_point end[2], d; /* upper, lower; from one to the other */
+    int32_t radius;
+    struct pel_smooth_place across; /* from an end to the right side */
+    struct pel_rise rise;
+    struct pel_rect box;  /* px */
+    struct pel_span body; /* rows that both sides cross as lines */
+};
+
+/* r to the right of a direction down, which is not 0. The inverse of its length
+ * is 2^(62 - shift) times that: 2^30 are a whole. */
+static struct pel_smooth_place place_across(struct pel_point d, int32_t radius)
 {
     int shift;
     const uint64_t square = (uint64_t)(pel_square(d.x) + pel_square(d.y));
     const uint32_t inverse = pel_inverse_root(square, &shift);
-    const int64_t x = (int64_t)pel_times(inverse, -d.y) >> (32 - shift);
-    const int64_t y = (int64_t)pel_times(inverse, d.x) >> (32 - shift);
-    return (struct pel_smooth_path_place){(int32_t)(x * radius >> 22),
-                                          (int32_t)(y * radius >> 22)};
+    const int64_t x = (int64_t)pel_times(inverse, d.y) >> (32 - shift);
+    const int64_t y = (int64_t)pel_times(inverse, -d.x) >> (32 - shift);
+    return (struct pel_smooth_place){(int32_t)(x * radius >> 22),
+                                     (int32_t)(y * radius >> 22)};
 }
 
+/* Of the place from an end to a side. */
+static struct pel_smooth_place side_of(const struct capsule *c, bool left)
+{
+    const struct pel_smooth_place p = {left ? -c->across.x : c->across.x,
+                                       left ? -c->across.y : c->across.y};
+    return p;
+}
+
+/* Where a side begins, or ends, as a line: 2^-16 px below the upper end. */
+static int64_t side_top(const struct capsule *c, bool left)
+{
+    return side_of(c, left).y;
+}
+
+static int64_t side_bottom(const struct capsule *c, bool left)
+{
+    return (int64_t)c->d.y * 256 + side_of(c, left).y;
+}
+
+/* x there, from the upper end: |v| < 2^33, and a direction has 25 bits. */
+static int64_t side_at(const struct capsule *c, bool left, int64_t v)
+{
+    const struct pel_smooth_place p = side_of(c, left);
+    int64_t rest;
+    return p.x + pel_divide_64((v - p.y) * c->d.x, c->d.y, &rest);
+}
+
+/* The top of a row, 2^-16 px below the upper end. */
+static int64_t row_top(const struct capsule *c, int32_t y)
+{
+    return ((int64_t)y * 256 - c->end[0].y) * 256;
+}
+
+/* The line's part of a side in a row; false: none. */
+static bool find_piece(const struct capsule *c, bool left, int32_t y,
+                       struct pel_smooth_line_piece *piece)
+{
+    const int64_t top = side_top(c, left), bottom = side_bottom(c, left);
+    int64_t from = row_top(c, y), to = from + 65536;
+    from = from > top ? from : top;
+    to = to < bottom ? to : bottom;
+    if (from >= to)
+        return false;
+    const int64_t a = side_at(c, left, from), b = side_at(c, left, to);
+    pel_smooth_line_piece_set(piece, c->end[0].x, a, b);
+    piece->h = (int32_t)(to - from);
+    piece->rise = c->rise;
+    return true;
+}
+
+/* Rows with arcs in them. */
+struct caps {
+    struct pel_smooth smooth;
+    struct pel_smooth_bow bow[2];
+};
+
+/* The pieces of lines in a row. */
+struct sides {
+    struct pel_smooth_line_piece piece[2];
+    bool crossed[2];
+};
+
 /* Of a direction; 0 begins at +x. */
-static int32_t quadrant_of(struct pel_point d)
+static uint8_t quadrant_of(struct pel_smooth_place d)
 {
     if (d.x > 0 && d.y >= 0)
         return 0;
@@ -25,53 +101,142 @@ static int32_t quadrant_of(struct pel_point d)
     return d.x < 0 ? 2 : 3;
 }
 
-/* One side of the line in the direction d, at an offset to its left, and the
- * half disc at its end. */
-static void add_half(struct pel_smooth_path *path,
-                     const struct pel_point ends[2], struct pel_point d,
-                     struct pel_smooth_path_place left, int32_t radius)
+/* The half of a circle from a place on clockwise. */
+static void set_half(struct pel_smooth_bow *bow, struct pel_point center,
+                     struct pel_smooth_place from, int32_t radius)
 {
-    const struct pel_smooth_way side = {ends[0], d, left};
-    const struct pel_point outwards = {d.y, -d.x};
-    const struct pel_smooth_path_arc bow = {.center = ends[1],
-                                            .from = left,
-                                            .to = {-left.x, -left.y},
-                                            .first =
-                                                (uint8_t)quadrant_of(outwards),
-                                            .count = 3};
-    pel_smooth_path_line(path, &side, (int64_t)ends[0].y * 256 + left.y,
-                         (int64_t)ends[1].y * 256 + left.y);
-    pel_smooth_path_bow(path, &bow, radius);
+    *bow = (struct pel_smooth_bow){.center = center,
+                                   .from = from,
+                                   .to = {-from.x, -from.y},
+                                   .first = quadrant_of(from),
+                                   .count = 3};
+    pel_smooth_bow_set(bow, radius);
 }
 
-static void paint_line(struct pel_smooth_path *path,
-                       const struct pel_thick_line_shape *line)
+static PEL_NOINLINE int32_t paint_window(struct caps *caps,
+                                         const struct sides *sides, int32_t y,
+                                         int32_t x, int32_t end)
 {
-    const int32_t radius = line->width >> 1;
+    struct pel_smooth_window w;
+    pel_smooth_window_begin(&w, y, x, end);
+    for (int i = 0; i < 2; i++) {
+        pel_smooth_bow_add(&caps->bow[i], &w);
+        if (sides->crossed[i])
+            pel_smooth_window_line(&w, &sides->piece[i], i == 0);
+    }
+    pel_smooth_window_paint(&w, &caps->smooth);
+    return w.next;
+}
+
+static void paint_cap_row(struct caps *caps, const struct capsule *c, int32_t y)
+{
+    const struct pel_rect *const clip = &caps->smooth.surface.clip;
+    const int32_t end = pel_min(c->box.x1, clip->x1);
+    struct sides sides;
+    int32_t x = pel_max(c->box.x0, clip->x0);
+    for (int i = 0; i < 2; i++)
+        sides.crossed[i] = find_piece(c, i == 0, y, &sides.piece[i]);
+    while (x < end)
+        x = paint_window(caps, &sides, y, x, end);
+}
+
+static PEL_NOINLINE void paint_caps(const struct pel_surface *surface,
+                                    const struct capsule *c, int32_t y,
+                                    int32_t end, const struct pel_paint *paint)
+{
+    struct caps caps;
+    if (y >= end || !pel_smooth_begin(&caps.smooth, surface, paint))
+        return;
+    set_half(&caps.bow[0], c->end[0], side_of(c, true), c->radius);
+    set_half(&caps.bow[1], c->end[1], side_of(c, false), c->radius);
+    for (; y < end; y++)
+        paint_cap_row(&caps, c, y);
+}
+
+/* A row's top of a side, px 2^-32: floored at the first one of the body to
+ * 2^-16 px. */
+static void start_side(struct pel_smooth_side *side, const struct capsule *c,
+                       bool left, int32_t y)
+{
+    const int32_t first = c->body.x0;
+    const int64_t x =
+        (int64_t)c->end[0].x * 256 + side_at(c, left, row_top(c, first));
+    side->step = pel_smooth_step(&c->end[0], &c->end[1]);
+    side->at = x * 65536 + (int64_t)pel_times((uint64_t)side->step, y - first);
+    side->rise = c->rise;
+}
+
+static PEL_NOINLINE void paint_body(const struct pel_surface *surface,
+                                    const struct capsule *c,
+                                    const struct pel_paint *paint)
+{
+    const struct pel_rect *const clip = &surface->clip;
+    const int32_t y = pel_max(c->body.x0, clip->y0);
+    const int32_t end = pel_min(c->body.x1, clip->y1);
+    struct pel_smooth_walk walk;
+    if (y >= end || !pel_smooth_begin(&walk.smooth, surface, paint))
+        return;
+    walk.inside = c->box.x0 >= clip->x0 && c->box.x1 <= clip->x1;
+    start_side(&walk.side[0], c, true, y);
+    start_side(&walk.side[1], c, false, y);
+    pel_smooth_cross_rows(&walk, y, end - y);
+}
+
+/* None where a side crosses many pixels in a row. */
+static void find_body(struct capsule *c)
+{
+    const int32_t tip = pel_magnitude(c->across.y);
+    const int32_t a = c->end[0].y + ((tip + 255) >> 8);
+    const int32_t b = c->end[1].y - ((tip + 255) >> 8);
+    c->body = (struct pel_span){pel_pixel_of(a + 255), pel_pixel_of(b)};
+    if (c->body.x0 >= c->body.x1 ||
+        pel_magnitude(c->d.x) / (PEL_SMOOTH_WIDE - 2) >= c->d.y)
+        c->body.x0 = c->body.x1 = c->box.y1;
+}
+
+/* From the upper end to the lower one, or from the left to the right. */
+static void set_ends(struct capsule *c, const struct pel_thick_line_shape *line)
+{
+    const bool turn = line->from.y > line->to.y ||
+                      (line->from.y == line->to.y && line->from.x > line->to.x);
+    const struct pel_point a = turn ? line->to : line->from;
+    const struct pel_point b = turn ? line->from : line->to;
+    c->end[0] = a;
+    c->end[1] = b;
+    c->d = (struct pel_point){b.x - a.x, b.y - a.y};
+    c->d.x += c->d.x == 0 && c->d.y == 0;
+}
+
+static PEL_NOINLINE void set_capsule(struct capsule *c,
+                                     const struct pel_thick_line_shape *line)
+{
     const struct pel_rect box = pel_thick_line_box(line);
-    const struct pel_rect pixels = {pel_pixel_of(box.x0), pel_pixel_of(box.y0),
-                                    pel_pixel_of(box.x1) + 1,
-                                    pel_pixel_of(box.y1) + 1};
-    const struct pel_point ends[3] = {line->from, line->to, line->from};
-    struct pel_point d = {line->to.x - line->from.x, line->to.y - line->from.y};
-    d.x += d.x == 0 && d.y == 0;
-    const struct pel_smooth_path_place right = across(d, radius);
-    const struct pel_point back = {-d.x, -d.y};
-    add_half(path, ends, d, (struct pel_smooth_path_place){-right.x, -right.y},
-             radius);
-    add_half(path, ends + 1, back, right, radius);
-    pel_smooth_path_paint(path, &pixels);
+    c->box =
+        (struct pel_rect){pel_pixel_of(box.x0), pel_pixel_of(box.y0),
+                          pel_pixel_of(box.x1) + 1, pel_pixel_of(box.y1) + 1};
+    set_ends(c, line);
+    c->radius = line->width >> 1;
+    c->across = place_across(c->d, c->radius);
+    c->rise = pel_smooth_rise(&c->end[0], &c->end[1]);
+    find_body(c);
 }
 
 void pel_smooth_thick_line_round(const struct pel_surface *surface,
                                  const struct pel_thick_line_shape *line,
                                  const struct pel_paint *paint)
 {
-    struct pel_smooth_path path;
+    const struct pel_rect *const clip = &surface->clip;
+    struct capsule c;
     const bool legal = pel_thick_line_legal(line);
     PEL_ASSERT(legal);
     PEL_HINT(pel_thick_line_in_subpixels(line));
-    if (legal && line->width > 1 &&
-        pel_smooth_path_begin(&path, surface, paint))
-        paint_line(&path, line);
+    if (!legal || line->width <= 1)
+        return;
+    set_capsule(&c, line);
+    const struct pel_rect seen = pel_rect_intersect(&c.box, clip);
+    if (pel_rect_empty(&seen))
+        return;
+    paint_caps(surface, &c, seen.y0, pel_min(c.body.x0, seen.y1), paint);
+    paint_body(surface, &c, paint);
+    paint_caps(surface, &c, pel_max(c.body.x1, seen.y0), seen.y1, paint);
 }

@@ -44,6 +44,11 @@ static inline int32_t pel_smooth_next_vertex(const struct pel_smooth_walk *k,
 bool pel_smooth_next_edge(const struct pel_smooth_walk *k,
                           struct pel_smooth_side *s);
 
+/* Paints n rows from y on that both sides cross, each in few pixels, from where
+ * they are, and moves them on: reads only smooth, inside and the sides' first
+ * three members. */
+void pel_smooth_cross_rows(struct pel_smooth_walk *k, int32_t y, int32_t n);
+
 /* Paints a row that vertices lie in, or that a side crosses in many pixels, and
  * moves on to the next. */
 void pel_smooth_vertex_row(struct pel_smooth_walk *k, int32_t y);

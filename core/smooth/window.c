@@ -50,12 +50,12 @@ static uint32_t area_of(uint32_t area)
 }
 
 /* What lies right of a piece in column i of those it crosses, b the last. */
-static uint32_t line_area(const struct pel_smooth_piece *p, int32_t i,
+static uint32_t line_area(const struct pel_smooth_line_piece *p, int32_t i,
                           int32_t b)
 {
     const uint32_t base = (uint32_t)p->base << 8, h = (uint32_t)p->h >> 1;
-    const uint32_t low = (base + (uint32_t)p->low) & 0xFFFF;
-    const uint32_t high = (base + (uint32_t)p->high) & 0xFFFF;
+    const uint32_t low = (base + p->low) & 0xFFFF;
+    const uint32_t high = (base + p->high) & 0xFFFF;
     if (b == 0)
         return (131072 - low - high) / 2 * h >> 16;
     if (i == 0)
@@ -67,11 +67,11 @@ static uint32_t line_area(const struct pel_smooth_piece *p, int32_t i,
 }
 
 void pel_smooth_window_line(struct pel_smooth_window *w,
-                            const struct pel_smooth_piece *p, bool rising)
+                            const struct pel_smooth_line_piece *p, bool rising)
 {
     uint16_t right[PEL_SMOOTH_COLUMNS];
-    const int32_t a = pel_smooth_column(p->base, p->low);
-    const int32_t b = pel_smooth_column(p->base, p->high);
+    const int32_t a = pel_pixel_of(p->base);
+    const int32_t b = pel_pixel_of(p->base + (int32_t)(p->high >> 8));
     const int32_t growth = rising ? p->h >> 1 : -(p->h >> 1);
     struct pel_span columns = {a, b + 1};
     if (!find_columns(w, &columns, growth))

@@ -19,14 +19,25 @@ struct pel_smooth_window {
                                             `next` have, 2^-15 px */
 };
 
-/* A part of a line in a row, as high as h: from x `low` to `high`, 2^-16 px
- * right of `base`. */
-struct pel_smooth_piece {
-    int32_t base; /* 1/256 px */
-    int32_t low, high;
-    int32_t h; /* 2^-16 px */
+/* A part of a line in a row, from one x to another. */
+struct pel_smooth_line_piece {
+    int32_t base;       /* 1/256 px: where the left one is .. */
+    uint32_t low, high; /* .. and so far right of that, 2^-16 px */
+    int32_t h;          /* 2^-16 px */
     struct pel_rise rise;
 };
+
+/* Sets the first three from both ends, 2^-16 px right of a place, in any order.
+ */
+static inline void pel_smooth_line_piece_set(
+    struct pel_smooth_line_piece *piece, int32_t place, int64_t a, int64_t b)
+{
+    const int64_t left = a < b ? a : b, right = a < b ? b : a;
+    const int32_t whole = (int32_t)(left >> 8);
+    piece->base = place + whole;
+    piece->low = left & 255;
+    piece->high = (uint32_t)(right - left) + piece->low;
+}
 
 /* Begins a window of a row from x on, which ends before `end`. */
 void pel_smooth_window_begin(struct pel_smooth_window *window, int32_t y,
@@ -34,7 +45,8 @@ void pel_smooth_window_begin(struct pel_smooth_window *window, int32_t y,
 
 /* Adds what lies right of a piece, or takes it away: rising. */
 void pel_smooth_window_line(struct pel_smooth_window *window,
-                            const struct pel_smooth_piece *piece, bool rising);
+                            const struct pel_smooth_line_piece *piece,
+                            bool rising);
 
 /* The same of a strip's right side in the picture that is mirrored if `left`,
  * around a centre in that picture. Sets what pel_smooth_strip_set does. */

@@ -111,10 +111,12 @@ bool any_draw_smooth(const struct pel_surface *surface,
         smooth_polygon(surface, s, paint);
         return true;
     case ANY_THICK_LINE:
-        if (s->n % 2)
+        if (s->n % 3 == 0)
+            pel_smooth_thick_line(surface, THICK(s), paint);
+        else if (s->n % 3 == 1)
             pel_smooth_thick_line_square(surface, THICK(s), paint);
         else
-            pel_smooth_thick_line(surface, THICK(s), paint);
+            pel_smooth_thick_line_round(surface, THICK(s), paint);
         return true;
     default:
         return false;
