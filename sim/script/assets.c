@@ -33,12 +33,14 @@ static char *path_of(const struct script_parser *p, const char *name)
     return NULL;
 }
 
-static bool load_font(struct pel_font_asset *asset, const char *path)
+static bool load_font(struct script_asset *asset, const char *path)
 {
+    const struct font_options options = {.size = asset->size ? asset->size
+                                                             : FONT_SIZE,
+                                         .bits = asset->size ? 4 : 1};
     struct font font;
-    const bool done =
-        font_load(&font, path, &(struct font_options){.size = FONT_SIZE}) &&
-        font_asset_make(asset, &font, path);
+    const bool done = font_load(&font, path, &options) &&
+                      font_asset_make(&asset->font, &font, path);
     font_free(&font);
     return done;
 }
@@ -82,7 +84,7 @@ static bool load(const struct script_parser *p, enum script_kind kind,
                  const char *name, struct script_asset *asset)
 {
     if (kind == KIND_FONT)
-        return load_font(&asset->font, name);
+        return load_font(asset, name);
     if (kind == KIND_PICTURE)
         return load_picture(&asset->picture, name);
     if (kind == KIND_MESH) {
@@ -129,16 +131,27 @@ static size_t find(const struct script *script, const struct script_asset *new)
                    : script->asset_count;
     while (i < script->asset_count &&
            (script->assets[i].kind != new->kind ||
+            script->assets[i].size != new->size ||
             strcmp(script->assets[i].path, new->path) != 0))
         i++;
     return i;
+}
+
+/* The number before a smooth font's file, which is checked later. */
+static int size_of(const struct script_parser *p, enum script_kind kind)
+{
+    const struct script *script = p->script;
+    return kind == KIND_FONT && *p->command->kinds == KIND_COUNT
+               ? pel_max(1, pel_min(script->values[script->value_count - 1],
+                                    FONT_SIZE_MAX))
+               : 0;
 }
 
 /* Quoted words begin with their quote. */
 bool script_add_asset(struct script_parser *p, enum script_kind kind,
                       const char *word, int32_t *index)
 {
-    struct script_asset asset = {.kind = kind};
+    struct script_asset asset = {.kind = kind, .size = size_of(p, kind)};
     const char *name = word + (*word == '"');
     const bool no_file =
         kind == KIND_TEXT || (kind == KIND_MESH && mesh_is_builtin(name));

@@ -47,7 +47,21 @@ static void draw_scroll(struct script_pen *pen, const int32_t *v)
     pel_scroll(pen->surface, &area, v[4], v[5]);
 }
 
+static void set_smooth_font(struct script_pen *pen, const int32_t *v)
+{
+    set_font(pen, v + 1);
+}
+
+static const char *check_smooth_font(const int32_t *v, size_t n)
+{
+    (void)n;
+    return v[0] < 1 || v[0] > 255 ? "expected 1 to 255 px from line to line"
+                                  : NULL;
+}
+
 const struct script_command script_images[] = {
+    {"font smooth", "nF", "PX FILE", SCRIPT_FONT, .draw = set_smooth_font,
+     .check = check_smooth_font},
     {"font", "F", "FILE", SCRIPT_FONT, .draw = set_font},
     {"text", "iiT", "X Y \"TEXT\"", SCRIPT_TEXT, .draw = draw_text},
     {"image key", "iicP", "X Y COLOUR FILE", SCRIPT_PICTURE,

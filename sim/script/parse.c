@@ -174,7 +174,7 @@ static bool check_command(struct script_parser *p,
         p->by_vertex = c->role == SCRIPT_PAINT_VERTEX;
         return true;
     case SCRIPT_FONT:
-        p->font = v[0];
+        p->font = v[item->count - 1];
         return true;
     case SCRIPT_TEXT:
         return check_text(p, v[2]);

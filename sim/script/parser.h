@@ -26,6 +26,7 @@ struct script_asset {
     enum script_kind kind;
     char *path; /* of a font or a picture, by which another line finds it */
     struct pel_font_asset font;
+    int size;                   /* px of a smooth font, or 0 */
     struct pel_surface picture; /* of argb8888 pixels */
     char *text;
     struct script_mesh *mesh;

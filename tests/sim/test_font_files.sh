@@ -233,6 +233,23 @@ EOF
     grep -q 'pel_font_pair smooth\|pel_font_pair asset' "$dir/smooth.c" ||
         fail "no pairs of A and V"
     refused "is '3'" "$outlines" --bits 3
+    script() { # LINE
+        printf '%s\n' 'canvas 90 40 xrgb8888' "$@" 'paint flat #ffffff' \
+            'text 2 4 "AVg"' >"$dir/smooth.pel"
+    }
+    script "font smooth 28 $outlines"
+    "$PEL" run "$dir/smooth.pel" -o "$dir/whole.ppm"
+    script 'bands 7' "font smooth 28 $outlines" "font smooth 28 $outlines"
+    "$PEL" run "$dir/smooth.pel" -o "$dir/bands.ppm"
+    "$PEL" compare "$dir/whole.ppm" "$dir/bands.ppm" >/dev/null ||
+        fail "a smooth text differs in bands"
+    "$PEL" explain "$dir/smooth.pel" 7 18 | grep -q 'alpha [1-9]' ||
+        fail "no edge in $("$PEL" explain "$dir/smooth.pel" 7 18)"
+    script "font smooth 0 $outlines"
+    if "$PEL" run "$dir/smooth.pel" -o "$dir/none.ppm" 2>"$dir/err" ||
+        ! grep -q 'expected 1 to 255 px' "$dir/err"; then
+        fail "a font of 0 px: $(cat "$dir/err")"
+    fi
     refused 'no outlines' "$dir/hand.bdf" --bits 4
     refused 'has the characters of Unicode' "$outlines" --encoding koi8-r
     for size in 8 11 24 100 255; do
