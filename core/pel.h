@@ -76,6 +76,7 @@
 #include "paint/turned_picture.h"
 
 #include "image/copy.h"
+#include "image/copy_runs.h"
 #include "image/glyph_text.h"
 #include "image/scroll.h"
 #include "image/smooth_glyph.h"
@@ -84,6 +85,7 @@
 #include "asset/font_asset.h"
 #include "asset/image_asset.h"
 #include "asset/mesh_asset.h"
+#include "asset/runs_asset.h"
 
 #include "scene/certificate.h"
 #include "scene/pipeline.h"

@@ -173,6 +173,36 @@ static void draw_copy_alpha(int32_t width, int32_t rows)
         255);
 }
 
+/* Eight rows of runs of 12 words and 4 as they are. */
+static uint32_t run_words[7 * LONG / 16];
+static const uint16_t run_rows[ROWS] = {0};
+static struct pel_runs_asset runs = {PEL_RUNS_MAGIC,     PEL_RUNS_VERSION,
+                                     .width = LONG,      .height = ROWS,
+                                     .words = run_words, .rows16 = run_rows};
+
+static void make_runs(const struct pel_format *format)
+{
+    const uint32_t bytes = format->bits < 8 ? 1 : format->bits / 8u;
+    uint8_t *const words = (uint8_t *)run_words;
+    runs.format = format->id;
+    runs.size = 7 * LONG / 16;
+    for (uint32_t i = 0; i < runs.size * bytes; i++)
+        words[i] = (uint8_t)(i * 2654435761u >> 24);
+    for (uint32_t i = 0; i < runs.size; i += 7)
+        for (uint32_t k = 0; k < bytes; k++) {
+            words[i * bytes + k] = k ? 0 : 2 * 12 + 1;
+            words[(i + 2) * bytes + k] = k ? 0 : 2 * 4;
+        }
+}
+
+static void draw_runs(int32_t width, int32_t rows)
+{
+    const struct pel_runs_part part = {&runs, band.format, LEFT, TOP};
+    runs.width = (uint16_t)width;
+    runs.height = (uint16_t)rows;
+    pel_copy_runs(&band, &part, 255);
+}
+
 /* Letters of 8 x 8 px, in one color. */
 static void draw_text(int32_t width, int32_t rows)
 {
@@ -216,6 +246,7 @@ static const struct {
     {"copy", FLAT, draw_copy, false},
     {"copy-keyed", FLAT, draw_keyed, false},
     {"copy-alpha", FLAT, draw_copy_alpha, false},
+    {"copy-runs", FLAT, draw_runs, false},
     {"text", FLAT, draw_text, false},
     {"mesh-flat", MESH_FLAT, draw_mesh, false},
     {"mesh-gouraud", MESH_GOURAUD, draw_mesh, false},
@@ -265,6 +296,7 @@ static void format_begin(const struct pel_format *format)
                      &square);
     pel_surface_init(&sprite, &pel_argb8888, picture_memory,
                      sizeof picture_memory, &square);
+    make_runs(format);
 }
 
 void matrix_report(void)

@@ -68,7 +68,8 @@ writes this file. No cell takes more than 1.3 times as much at -Os as at -O2.
 Paints are at the place where bench/mcu/matrix.c has them: 24 to 216 px from the
 left of a screen of 240 x 320, eight rows 32 px above its middle, gradients of two
 colours from side to side or corner to corner, `alpha` 128 of 255, textures and
-opaque copies from the format of the screen, `copy-alpha` from argb8888, the mesh
+opaque copies from the format of the screen, `copy-runs` of 12 px in a run and 4 as
+they are (of bytes of mono1), `copy-alpha` from argb8888, the mesh
 one triangle under one light, with highlights. Formats of 8 bits a channel need no
 dither. A cell in bold is more than four times the least of its row.
 END

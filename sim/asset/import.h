@@ -15,7 +15,7 @@
 /* Those of palette4 and palette8; the colors are the picture's. */
 extern const struct pel_palette import_palettes[2];
 
-/* What is done to a picture first, in this order. */
+/* What is done to a picture, in this order. */
 struct import_changes {
     pel_color key; /* pixels of that color become clear */
     int size[2];
@@ -23,6 +23,7 @@ struct import_changes {
     enum picture_dither dither;
     enum import_alpha { ALPHA_NONE, ALPHA_8, ALPHA_4, ALPHA_1 } alpha;
     bool has_key, has_size, own_palette;
+    bool compress; /* at the end: into runs */
 };
 
 struct import_options {
@@ -38,7 +39,7 @@ struct import_options {
 
 /* The options of struct import_changes. */
 extern const struct option_row import_change_options[];
-#define IMPORT_CHANGE_OPTIONS "key|resize|palette|dither|alpha"
+#define IMPORT_CHANGE_OPTIONS "key|resize|palette|dither|alpha|compress"
 
 /* Write a C file with one const struct and its arrays, and its header beside
  * it, the same for the same input: no date, no path. The textures of a mesh are

@@ -45,5 +45,9 @@ const struct option_row import_change_options[] = {
      "pel_masked_init, around a texture of the picture",
      OPTION_CHOICE, AT(alpha), .n = sizeof(enum import_alpha),
      .expected = "none|gray8|gray4|mono1"},
+    {"compress", NULL,
+     "a picture to be drawn by pel_copy_runs (pel/asset/runs_asset.h): equal "
+     "pixels beside each other and equal rows take flash once",
+     OPTION_FLAG, AT(compress)},
     {.help = NULL},
 };

@@ -14,14 +14,19 @@ static bool is_silent(const struct import_options *options)
     return strcmp(options->output, "-") == 0;
 }
 
+/* Of its palette. */
+static size_t colors_of(const struct pel_format *format)
+{
+    return format->id > PEL_FORMAT_ARGB8888 ? (size_t)4 << format->bits : 0;
+}
+
 /* Pixels, and the colours of a palette. */
 static size_t bytes_of(const struct pel_format *format, int width, int height)
 {
     const int lines =
         format->id == PEL_FORMAT_MONO1_PAGES ? (height + 7) / 8 : height;
-    const size_t colors =
-        format->id > PEL_FORMAT_ARGB8888 ? (size_t)4 << format->bits : 0;
-    return (size_t)pel_stride(format, width) * (size_t)lines + colors;
+    return (size_t)pel_stride(format, width) * (size_t)lines +
+           colors_of(format);
 }
 
 static void put(size_t bytes, const char *what)
@@ -66,15 +71,22 @@ static void put_others(const struct pel_format *own,
 
 void report_picture(const struct import_options *options,
                     const struct picture *picture,
-                    const struct pel_format *format)
+                    const struct pel_format *format, size_t in_runs)
 {
-    char what[64];
+    const bool compress = options->changes.compress;
+    const size_t own = bytes_of(format, picture->width, picture->height);
+    const size_t runs = in_runs + colors_of(format);
+    char what[80];
     if (is_silent(options))
         return;
-    snprintf(what, sizeof(what), "bytes in flash: %d x %d pixels%s",
+    snprintf(what, sizeof(what), "bytes in flash: %d x %d pixels%s%s",
              picture->width, picture->height,
-             format->id > PEL_FORMAT_ARGB8888 ? " and their palette" : "");
-    put(bytes_of(format, picture->width, picture->height), what);
+             colors_of(format) ? " and their palette" : "",
+             compress ? ", in runs" : "");
+    put(compress ? runs : own, what);
+    if (in_runs)
+        printf("            %s --compress: %zu\n",
+               compress ? "without" : "with", compress ? own : runs);
     put_others(format, &(const struct picture *){picture}, 1);
 }
 

@@ -5,10 +5,10 @@
 
 #include "sim/asset/import.h"
 
-/* Of a picture of that format, and as it would be in all others. */
+/* Of a picture of that format, in runs (0: it has none), and in all others. */
 void report_picture(const struct import_options *options,
                     const struct picture *picture,
-                    const struct pel_format *format);
+                    const struct pel_format *format, size_t in_runs);
 
 /* Of a font. */
 struct pel_font_asset;

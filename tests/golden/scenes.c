@@ -156,6 +156,46 @@ static void draw_gradients(const struct pel_surface *s)
                &wheel.conic.base.paint);
 }
 
+/* Three rows of 16 words: a run, words as they are, a run. */
+static void draw_runs_of(const struct pel_surface *s,
+                         const struct pel_format *format, int32_t x)
+{
+    static const struct {
+        uint8_t at, count;
+    } counts[] = {{0, 2 * 21 + 1}, {2, 2 * 11}, {14, 2 * 40 + 1}};
+    static const uint16_t rows[5] = {0, 16, 32, 16, 0};
+    static uint32_t words[48];
+    const uint32_t bytes = format->bits < 8 ? 1 : format->bits / 8u;
+    uint8_t *const to = (uint8_t *)words;
+    for (uint32_t i = 0; i < 48 * bytes; i++)
+        to[i] = (uint8_t)((i + 3) * 2654435761u >> 23);
+    for (uint32_t i = 0; i < 9; i++) {
+        uint8_t *const word = to + (i / 3 * 16 + counts[i % 3].at) * bytes;
+        memset(word, 0, bytes);
+        word[0] = counts[i % 3].count;
+    }
+    const struct pel_runs_asset asset = {PEL_RUNS_MAGIC,
+                                         PEL_RUNS_VERSION,
+                                         format->id,
+                                         60,
+                                         5,
+                                         48,
+                                         words,
+                                         rows,
+                                         NULL};
+    for (int32_t i = 0; i < 6; i++) {
+        const struct pel_runs_part part = {&asset, format, x - 5 * i, 11 * i};
+        pel_copy_runs(s, &part, i % 2 ? 255 : 150);
+    }
+}
+
+static void draw_runs(const struct pel_surface *s)
+{
+    draw_runs_of(s, &pel_argb8888, 7);
+    if (s->format != &pel_mono1_pages)
+        draw_runs_of(s, s->format, 45);
+}
+
 static const struct scene {
     const char *name;
     void (*draw)(const struct pel_surface *);
@@ -163,7 +203,8 @@ static const struct scene {
 #define SCENE(name) #name, draw_##name
     {SCENE(triangles)}, {SCENE(gouraud)},  {SCENE(gouraud_alpha)},
     {SCENE(circles)},   {SCENE(even_odd)}, {SCENE(non_zero)},
-    {SCENE(lines)},     {SCENE(far)},      MESH_SCENES{SCENE(gradients)}};
+    {SCENE(lines)},     {SCENE(far)},      MESH_SCENES{SCENE(gradients)},
+    {SCENE(runs)}};
 
 static const struct {
     const char *name;

@@ -143,6 +143,23 @@ done
 same_as() {
     "$PEL" compare "$dir/$1.ppm" "$dir/$2.ppm" >/dev/null || fail "$1 is not $2"
 }
+# runs FORMAT PICTURE OPTIONS...: in runs it shows what $dir/FORMAT.ppm is.
+runs() {
+    format=$1 picture=$2
+    shift 2
+    same ${format}_runs "$picture" --format $format --compress "$@"
+    grep -qx 'extern const struct pel_runs_asset asset;' "$dir/${format}_runs.h" ||
+        fail "$format: $(cat "$dir/${format}_runs.h")"
+    shown=pel_$format
+    case $format in palette*) shown=asset_palette.format ;; esac
+    $CC -std=c99 $WARNINGS -DFORMAT=$shown -I. $INCLUDE tests/sim/import_runs.c \
+        "$dir/${format}_runs.o" "$LIBPEL" -o "$dir/show"
+    "$dir/show" >"$dir/${format}_runs.ppm" || fail "$format: the runs are refused"
+    same_as ${format}_runs $format
+}
+for format in rgb565_le rgb565_be xrgb1555_le rgb888 xrgb8888 rgb332 gray8 gray4 mono1; do
+    runs $format "$dir/picture.ppm"
+done
 for format in rgb888 bgr888 xrgb8888 xbgr8888 rgbx8888 bgrx8888; do
     same_as $format picture
 done
@@ -162,6 +179,7 @@ for picture in palette8:picture palette4:gray4; do
         tests/sim/import_show.c "$dir/$format.o" "$LIBPEL" -o "$dir/show"
     "$dir/show" >"$dir/$format.ppm" || fail "$format: the asset is refused"
     same_as $format ${picture#*:}
+    runs $format "$dir/${picture#*:}.ppm"
 done
 "$PEL" import sim/scenes/face.ppm --format palette4 -o "$dir/face.c"
 grep -qx 'extern const struct pel_palette face_palette;' "$dir/face.h" ||

@@ -171,6 +171,8 @@ done <<'END'
 expected_16_at_most --format palette4 --palette 17
 --alpha_is_for_formats_without --format argb8888 --alpha gray8
 --alpha_is_for_formats_without --format palette8 --alpha mono1
+--compress_is_not_for --format mono1_pages --compress
+--compress_is_for_pictures_that_are_copied --compress --alpha gray8
 --dither_has_no_use --format rgb888 --dither ordered
 --dither_of_a_palette_needs_--palette --format palette8 --dither ordered
 expected_none|ordered|diffusion --dither x
@@ -180,8 +182,14 @@ refused_command "is for pictures" import builtin:vase --resize 5x5 -o "$work/x.c
 
 # The table: what it takes, and what it would take.
 "$PEL" import "$work/icon.ppm" -o "$work/x.c" >"$work/out" || fail "no table"
-for line in "      4608  bytes in flash: 48 x 48 pixels" \
+for line in "      4608  bytes in flash: 48 x 48 pixels" "            with --compress: 1120" \
     "            in others: rgb888 6912, xrgb8888 9216, rgb332 2304, gray4 1152, mono1 288, palette4 1216, palette8 3328"; do
+    grep -qxF "$line" "$work/out" || fail "no '$line': $(cat "$work/out")"
+done
+# 16 rows that differ, of 16 runs of 4 bytes each, and where 48 rows begin.
+"$PEL" import "$work/icon.ppm" --compress -o "$work/x.c" >"$work/out" || fail "no runs"
+for line in "      1120  bytes in flash: 48 x 48 pixels, in runs" \
+    "            without --compress: 4608"; do
     grep -qxF "$line" "$work/out" || fail "no '$line': $(cat "$work/out")"
 done
 "$PEL" import builtin:vase-small -o "$work/x.c" >"$work/out" || fail "no table"
