@@ -35,10 +35,13 @@ without_linux = $(foreach d,$1,$(if $(findstring linux,$d),,$d))
 DRIVERS := $(call without_linux,$(wildcard drivers/*.c))
 
 # Examples, and the C files that pel import makes for them.
-EXAMPLE_ASSETS_gauge := fixed_10x20
+EXAMPLE_ASSETS_badge := bold_30 mono_15 portrait
+EXAMPLE_ASSETS_gauge := digits_36
 EXAMPLE_ASSETS_mesh := vase_small
 EXAMPLE_ASSETS_oled := fixed_6x13
-EXAMPLE_ASSETS_watch := fixed_10x20
+EXAMPLE_ASSETS_scope := sans_15
+EXAMPLE_ASSETS_thermostat := digits_76 sans_17 drop flame sun
+EXAMPLE_ASSETS_watch := digits_20
 EXAMPLE_ASSETS_paints := fixed_6x13
 example_sources = examples/$1.c $(DRIVERS) \
     $(EXAMPLE_ASSETS_$1:%=$(BUILD)/examples/%.c)
@@ -73,6 +76,23 @@ $(foreach e,$(EXAMPLES:examples/%.c=%),$(eval $(call example_program,$e)))
 $(BUILD)/examples/fixed_%.c: sim/scenes/fixed_%.bdf $(BUILD)/pel
 	@mkdir -p $(@D)
 	$(BUILD)/pel import $< -o $@ >/dev/null
+# Letters of DejaVu (fonts-dejavu-core), NAME_PX; pictures, drawn by scripts.
+DEJAVU := /usr/share/fonts/truetype/dejavu
+EXAMPLE_FONT_sans := DejaVuSans.ttf --codes 32-126,0xB0 --bits 4
+EXAMPLE_FONT_digits := DejaVuSans.ttf --chars "0123456789.° " --bits 4
+EXAMPLE_FONT_bold := DejaVuSans-Bold.ttf --codes 32-126
+EXAMPLE_FONT_mono := DejaVuSansMono.ttf --codes 32-126,0x201C-0x201D
+define example_font
+$(BUILD)/examples/$1_%.c: $(BUILD)/pel
+	@mkdir -p $$(@D)
+	$(BUILD)/pel import $(DEJAVU)/$(EXAMPLE_FONT_$1) --font-size $$* -o $$@ >/dev/null
+endef
+$(foreach f,sans digits bold mono,$(eval $(call example_font,$f)))
+EXAMPLE_PICTURE_portrait := --format mono1 --dither diffusion
+$(BUILD)/examples/%.c: examples/pictures/%.pel $(BUILD)/pel
+	@mkdir -p $(@D)
+	$(BUILD)/pel run $< -o $(@:.c=.ppm)
+	$(BUILD)/pel import $(@:.c=.ppm) $(or $(EXAMPLE_PICTURE_$*),--format gray4) -o $@ >/dev/null
 $(BUILD)/examples/vase_small.c: $(BUILD)/pel
 	@mkdir -p $(@D)
 	$(BUILD)/pel import builtin:vase-small -o $@ >/dev/null

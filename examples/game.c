@@ -120,7 +120,7 @@ int main(void)
             draw_tile(i);
     }
     if (status == PEL_OK)
-        status = panel_open(&panel);
+        status = panel_open(&panel, 240, 240, &pel_rgb565_be);
     for (frame = 0; frame < FRAMES && status == PEL_OK; frame++) {
         pel_dirty_areas_add(&dirty, &all);
         status = pel_dirty_areas_show(&dirty, &panel, &work);

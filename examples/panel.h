@@ -1,73 +1,86 @@
-/* A panel of 240 x 240 pixels for the gauge: memory, whose driver copies what a
- * DMA would send, in time that does not count. It notes bytes and, in QEMU,
- * instructions: of the first frame, and the most of a later one. */
+/* The panel of the examples: memory, whose driver copies what a DMA would send,
+ * in time that does not count. It notes bytes and, in QEMU, instructions: of
+ * the first frame, and the most of a later one. On a board a header of your own
+ * takes its place, with the same three functions: panel_open sets up the pins
+ * and calls pel_panel_init of drivers/panel.h, panel_close does nothing. */
 #ifndef EXAMPLES_PANEL_H
 #define EXAMPLES_PANEL_H
 
+#ifdef PANEL_HEADER
+#include PANEL_HEADER
+#else
+
 #include "../bench/mcu/stopwatch.h"
 #include "drivers/display.h"
+#include "drivers/input.h"
 #include "ppm.h"
 
-enum { PANEL_SIDE = 240 };
-
-static uint16_t panel_memory[PANEL_SIDE * PANEL_SIDE];
-static const struct pel_surface panel_glass = {panel_memory,
-                                               PANEL_SIDE * 2,
-                                               {0, 0, PANEL_SIDE, PANEL_SIDE},
-                                               {0, 0, PANEL_SIDE, PANEL_SIDE},
-                                               &pel_rgb565_be};
+static uint16_t panel_memory[320 * 240];
+static struct pel_surface panel_glass;
 
 static struct {
-    uint32_t started, idle; /* of the stopwatch */
+    uint32_t mark;  /* of the stopwatch */
+    uint32_t count; /* of the frame, eighths of an instruction */
     int32_t frames, sent;
     int32_t bytes[2], instructions[2];
 } panel_notes;
+
+/* Adds what the program took since the last mark. */
+static void panel_stop(void)
+{
+    const uint32_t now = stopwatch_read();
+    panel_notes.count += (uint32_t)stopwatch_eighths(panel_notes.mark, now);
+}
 
 static enum pel_status panel_flush(const struct pel_display *display,
                                    const struct pel_surface *s)
 {
     const struct pel_copy_part part = {s, s->clip, s->clip.x0, s->clip.y0};
-    const uint32_t from = stopwatch_read();
     (void)display;
+    panel_stop();
     pel_copy(&panel_glass, &part);
-    panel_notes.sent +=
-        2 * (s->clip.x1 - s->clip.x0) * (s->clip.y1 - s->clip.y0);
-    panel_notes.idle += stopwatch_read() - from;
+    panel_notes.sent += (s->clip.x1 - s->clip.x0) * (s->clip.y1 - s->clip.y0) *
+                        s->format->bits / 8;
+    panel_notes.mark = stopwatch_read();
     return PEL_OK;
-}
-
-/* A frame begins where the one before ends. */
-static void panel_frame_begin(void)
-{
-    panel_notes.sent = 0;
-    panel_notes.idle = 0;
-    panel_notes.started = stopwatch_read();
 }
 
 static enum pel_status panel_flip(const struct pel_display *display)
 {
-    const int32_t count = stopwatch_eighths(
-        panel_notes.started + panel_notes.idle, stopwatch_read());
     const int i = panel_notes.frames++ > 0;
     (void)display;
+    panel_stop();
     panel_notes.bytes[i] = pel_max(panel_notes.bytes[i], panel_notes.sent);
     panel_notes.instructions[i] =
-        pel_max(panel_notes.instructions[i], count / 8);
-    panel_frame_begin();
+        pel_max(panel_notes.instructions[i], (int32_t)(panel_notes.count / 8));
+    panel_notes.sent = 0;
+    panel_notes.count = 0;
+    panel_notes.mark = stopwatch_read();
     return PEL_OK;
 }
 
-static inline enum pel_status panel_open(struct pel_display *display)
+static inline enum pel_status panel_open(struct pel_display *display,
+                                         int32_t width, int32_t height,
+                                         const struct pel_format *format)
 {
-    static const struct pel_display panel = {.width = PANEL_SIDE,
-                                             .height = PANEL_SIDE,
-                                             .format = &pel_rgb565_be,
-                                             .flush = panel_flush,
-                                             .flip = panel_flip};
+    const struct pel_rect all = {0, 0, width, height};
+    const struct pel_display panel = {.width = width,
+                                      .height = height,
+                                      .format = format,
+                                      .flush = panel_flush,
+                                      .flip = panel_flip};
     *display = panel;
     stopwatch_start();
-    panel_frame_begin();
-    return PEL_OK;
+    panel_notes.mark = stopwatch_read();
+    return pel_surface_init(&panel_glass, format, panel_memory,
+                            sizeof panel_memory, &all);
+}
+
+/* What a user has done: here is none. */
+static inline bool panel_input(struct pel_input *event)
+{
+    (void)event;
+    return false;
 }
 
 /* The notes, and what the panel shows, as PPM. */
@@ -81,8 +94,10 @@ static inline void panel_close(void)
             printf(", %d instructions", (int)panel_notes.instructions[i]);
         printf("\n");
     }
-    printf("%d %d 255\n", PANEL_SIDE, PANEL_SIDE);
+    printf("%d %d 255\n", (int)panel_glass.bounds.x1,
+           (int)panel_glass.bounds.y1);
     ppm_write(&panel_glass);
 }
 
+#endif
 #endif

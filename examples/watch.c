@@ -1,7 +1,7 @@
 /* A watch on a round panel of 240 x 240 pixels (GC9A01), in two bands of 20
  * lines; each second only what moved is drawn and sent. */
 #include "drivers/dirty.h"
-#include "fixed_10x20.h"
+#include "digits_20.h"
 #include "panel.h"
 
 static uint16_t band[2][240 * 20];
@@ -63,7 +63,7 @@ static void draw(void *context, const struct pel_surface *screen)
                                                PEL_PX(116)};
     static const struct pel_rounded_shape window = {
         PEL_AT(152, 109), PEL_AT(186, 131), PEL_PX(4)};
-    static const struct pel_text_block date = {&fixed_10x20, "26", 159, 110};
+    static const struct pel_text_block date = {&digits_20, "26", 158, 110};
     (void)context;
     pel_clear(screen, PEL_RGB(8, 10, 16));
     pel_smooth_ring(screen, &ring, &track.paint);
@@ -100,7 +100,7 @@ int main(void)
     static const struct pel_rect all = {0, 0, 240, 240};
     struct pel_dirty_areas dirty = {.window = 200};
     struct pel_display panel;
-    enum pel_status status = panel_open(&panel);
+    enum pel_status status = panel_open(&panel, 240, 240, &pel_rgb565_be);
     pel_dirty_areas_add(&dirty, &all);
     for (int i = 0; i < 20 && status == PEL_OK; i++) {
         status = pel_dirty_areas_show(&dirty, &panel, &work);

@@ -80,6 +80,22 @@ LINK_ELFS := $(foreach b,$(LINK_BUILDS),\
 LINK_STACK_small := 384
 LINK_STACK_Os := 608
 
+# What one would build (docs/PRODUCTS.md). Those of both CPUs run on a board with
+# a Cortex-M4, which has memory for whole screens. $1 build, $2 CPU, $3 product
+PRODUCTS := badge game gauge scope thermostat watch
+define product_program
+$(BUILD)/link/$1/product_$3.elf: $(filter-out drivers/%,$(call \
+    example_sources,$3)) tests/link/product.h $(MCU_PORT:%.c=$(BUILD)/mcu/$1/%.o) \
+    $(BUILD)/mcu/$1/libdrivers.a $(BUILD)/mcu/$1/libpel.a
+	@mkdir -p $$(@D)
+	$(MCU_CC_$2) $(MCU_FLAGS_O2) $(MCU_CFLAGS) -I$(BUILD)/examples \
+	    -DPANEL_HEADER='"tests/link/product.h"' $(MCU_LDFLAGS) -Wl,--wrap=main \
+	    $(call mcu_script,mps2_an386) $$(filter-out %.h,$$^) -o $$@
+endef
+PRODUCT_ELFS := $(foreach c,$(LINK_WHOLE),$(PRODUCTS:%=$(BUILD)/link/$c-O2/product_%.elf))
+$(foreach c,$(LINK_WHOLE),$(foreach p,$(PRODUCTS),$(eval $(call \
+    product_program,$c-O2,$c,$p))))
+
 # The program of the guide with the bus of each chip of port/spi_dma, linked; those
 # that need a vendor's headers are compiled with stubs of them.
 LINK_GUIDES := rp2040 stm32g0 stm32f4 nrf52

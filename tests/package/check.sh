@@ -91,7 +91,8 @@ done
 # gauge.c as it is, on a board: its memory is that of two bands
 mkdir "$work/gauge"
 cp examples/gauge.c "$here/gauge/panel.h" "$work/gauge"
-"$PEL" import sim/scenes/fixed_10x20.bdf -o "$work/gauge/fixed_10x20.c" &&
+"$PEL" import /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --font-size 36 --bits 4 \
+    --chars "0123456789.° " -o "$work/gauge/digits_36.c" &&
     $CC -std=c99 $WARNINGS -Os -ffunction-sections -fdata-sections -I. $INCLUDE \
         "$work"/gauge/*.c drivers/dirty.c drivers/panel*.c "$LIBPEL" \
         -Wl,--gc-sections -o "$work/gauge/gauge" && "$work/gauge/gauge" ||

@@ -128,7 +128,7 @@ BOARD_RAM_board := 4K
 BOARD_RAM_oled := 4K
 BOARD_RAM_mesh := 8K
 EXAMPLES_CHECKED := board game gauge mesh oled selftest watch
-BOARD_EXAMPLES := board game gauge mesh oled selftest watch paints user_paint
+BOARD_EXAMPLES := $(sort $(EXAMPLES_CHECKED) $(PRODUCTS) paints user_paint)
 
 # $1 board, $2 CPU whose code it runs, $3 example, $4 its RAM
 define board_example
@@ -157,22 +157,25 @@ board: $(BUILD)/board/$(BOARD)/$(EXAMPLE) ## EXAMPLE=board on BOARD=m4 or anothe
 	@tests/tools/example.sh $< $(CPU_RUN_$(BOARD)) $< \
 	    -icount $(word 2,$(MCU_BENCH_$(BOARD_CPU))),sleep=off
 
-# Instructions of the gauge on an M0+.
-GAUGE_WHOLE := 2500000
-GAUGE_STEP := 120000
-
 # The examples are C++ too, and draw on every board, in the RAM above, what they
 # draw on the host.
-BOARD_RUNS := $(foreach b,$(BOARDS),$(EXAMPLES_CHECKED:%=$b/%)) \
+PRODUCT_RUNS := $(foreach b,m0plus m4,$(PRODUCTS:%=$b/%))
+BOARD_RUNS := $(filter-out $(PRODUCT_RUNS),$(foreach b,$(BOARDS),\
+    $(EXAMPLES_CHECKED:%=$b/%))) $(PRODUCTS:%=rv32/%) \
     $(foreach b,$(SMALL_BOARDS),$(SMALL_EXAMPLES_$b:%=$b/%))
+run_boards = printf '%s\n' $(foreach r,$(sort $1),'$r $(CPU_RUN_$(patsubst \
+    %/,%,$(dir $r)))') | tests/tools/board_examples.sh $(BUILD)
 check-examples: examples need-clang $(BOARD_RUNS:%=$(BUILD)/board/%) ## the examples on every board of QEMU
 	@set -e; for c in g++ clang++; do for e in $(EXAMPLES); do \
 	    $$c -x c++ -std=gnu++11 -Wall -Wextra -Wno-missing-field-initializers \
 	        -Werror -I. -Iinclude -I$(BUILD)/examples -fsyntax-only $$e; \
 	done; done
-	@printf '%s\n' $(foreach r,$(BOARD_RUNS),'$r $(CPU_RUN_$(patsubst \
-	    %/,%,$(dir $r)))') | tests/tools/board_examples.sh $(BUILD) \
-	    $(GAUGE_WHOLE) $(GAUGE_STEP)
+	@$(call run_boards,$(BOARD_RUNS))
+
+.PHONY: products
+products: $(PRODUCTS:%=$(BUILD)/examples/%) $(PRODUCT_RUNS:%=$(BUILD)/board/%) $(PRODUCT_ELFS) ## flash, RAM, stack and instructions of products: docs/PRODUCTS.md; ACCEPT=1 keeps them
+	@$(call run_boards,$(PRODUCT_RUNS))
+	@printf '%s\n' $(PRODUCTS) | tests/tools/products.sh $(BUILD) $(ACCEPT)
 
 check-cpus: $(CPU_CHECK:%=$(BUILD)/cpus/%/scenes) ## the golden scenes on other CPUs and compilers
 	printf '%s\n' $(call cpu_lines,$(CPU_CHECK)) | tests/tools/cpus.sh $(BUILD)

@@ -82,7 +82,8 @@ find core drivers port examples -name '*.[ch]' -o -name '*.inc' | sort | xargs a
         name = $0
         sub(/^[^"]*"/, "", name)
         sub(/".*/, "", name)
-        if (name ~ /^(fixed_|vase_small)/) # that make writes
+        # assets, which make writes
+        if (FILENAME ~ /^examples/ && name !~ /^(panel|ppm)\.h$|\//)
             next
         path = FILENAME ~ /^examples/ && name ~ /^(drivers|port)/ ? name \
             : resolve(dirname(FILENAME) "/" name)

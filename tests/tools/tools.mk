@@ -2,7 +2,7 @@
 # of its own, and each one test of `make check`.
 
 CHECK_EXTRA += layers metrics size bench-mcu check-cpus check-mcu check-builds check-examples \
-    check-make check-index reference
+    products check-make check-index reference
 
 .PHONY: layers metrics check-make need-clang need-format
 
@@ -59,9 +59,9 @@ reference: ## the headers as HTML, by doxygen: build/reference
 	@echo "the reference: $(BUILD)/reference/index.html"
 
 # The pictures of docs, of programs and of the C blocks of the pages.
-PICTURE_PROGRAMS := $(patsubst %,$(BUILD)/examples/%,game gauge mesh watch)
+PICTURE_PROGRAMS = $(patsubst %,$(BUILD)/examples/%,$(PRODUCTS) mesh)
 .PHONY: pictures check-pictures
-pictures check-pictures: $(BUILD)/pel $(BUILD)/libpel.a $(PICTURE_PROGRAMS)
+pictures check-pictures: $(BUILD)/examples/fixed_10x20.c $(BUILD)/pel $(BUILD)/libpel.a $(PICTURE_PROGRAMS)
 pictures: ## write docs/pictures anew, those that differ
 	tests/tools/pictures.sh $(BUILD) "$(CC)" accept
 check-pictures: ## compile the pages' C, compare every picture of docs
@@ -72,4 +72,5 @@ check-pictures: ## compile the pages' C, compare every picture of docs
 tests: $(LAYERS_HOST) $(MCU_CORE_OBJECTS) $(LINK_ELFS) $(MCU_BENCH_ELFS) \
     $(patsubst %,$(BUILD)/cpus/%/scenes,$(CPU_CHECK) $(MCU_CHECK) $(BUILDS_CHECK)) \
     $(BUILDS_CHECK:%=$(BUILD)/cpus/%/flat) \
-    $(LCD_BOARDS:%=$(LCD)/%.elf) $(PICO)/board.bin $(PICO)/glass $(BOARD_RUNS:%=$(BUILD)/board/%)
+    $(LCD_BOARDS:%=$(LCD)/%.elf) $(PICO)/board.bin $(PICO)/glass $(BOARD_RUNS:%=$(BUILD)/board/%) \
+    $(PRODUCT_RUNS:%=$(BUILD)/board/%) $(PRODUCT_ELFS)
