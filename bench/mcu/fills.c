@@ -54,9 +54,20 @@ static void text(void)
                                                     {14, 5, 7, 0, 7, 6},
                                                     {21, 5, 7, 0, 7, 6}};
     static const struct pel_font_range range = {'A', 4, 0};
-    static const struct pel_font_asset font = {
-        PEL_FONT_MAGIC, PEL_FONT_VERSION, 7,      1,      1,      4,
-        PEL_FONT_NONE,  sizeof bits,      &range, glyphs, bits[0]};
+    static const struct pel_font_asset font = {PEL_FONT_MAGIC,
+                                               PEL_FONT_VERSION,
+                                               7,
+                                               1,
+                                               1,
+                                               4,
+                                               PEL_FONT_NONE,
+                                               sizeof bits,
+                                               &range,
+                                               glyphs,
+                                               bits[0],
+                                               NULL,
+                                               NULL,
+                                               0};
     pel_text(&surface,
              &(struct pel_text_block){&font, "ABCDABCDABCDABCDAB", 5, 5},
              &flat.paint);

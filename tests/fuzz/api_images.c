@@ -43,7 +43,10 @@ static void text(struct api *a, const struct pel_surface *surface,
                                         sizeof bits,
                                         range,
                                         glyphs,
-                                        bits};
+                                        bits,
+                                        NULL,
+                                        NULL,
+                                        0};
     const struct pel_point at = api_point(a);
     const struct pel_text_block block = {&font, string, at.x, at.y};
     for (size_t i = 0; i < sizeof string - 1; i++)

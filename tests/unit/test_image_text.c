@@ -24,9 +24,8 @@ static const struct pel_font_range ranges[] = {
     {' ', 1, 1}, {'a', 2, 2}, {0x20AC, 1, 3}};
 
 static const struct pel_font_asset font = {
-    PEL_FONT_MAGIC, PEL_FONT_VERSION, 4,      2,    3, 4, 0,
-    sizeof bits,    ranges,           glyphs, bits,
-};
+    PEL_FONT_MAGIC, PEL_FONT_VERSION, 4,      2,    3,    4,    0,
+    sizeof bits,    ranges,           glyphs, bits, NULL, NULL, 0};
 
 TEST(check)
 {
@@ -282,9 +281,20 @@ TEST(large_glyphs)
     static const struct pel_font_glyph far[] = {{7, 1, 1, -255, 255, 200},
                                                 {7, 1, 1, 255, -254, 200}};
     static const struct pel_font_range one[] = {{'a', 2, 0}};
-    const struct pel_font_asset large = {
-        PEL_FONT_MAGIC, PEL_FONT_VERSION, 255, 255, 1,   2,
-        PEL_FONT_NONE,  sizeof bits,      one, far, bits};
+    const struct pel_font_asset large = {PEL_FONT_MAGIC,
+                                         PEL_FONT_VERSION,
+                                         255,
+                                         255,
+                                         1,
+                                         2,
+                                         PEL_FONT_NONE,
+                                         sizeof bits,
+                                         one,
+                                         far,
+                                         bits,
+                                         NULL,
+                                         NULL,
+                                         0};
     assert_int_equal(pel_font_asset_check(&large), PEL_OK);
     for (int i = 0; i < 2; i++) {
         const int32_t x = i ? 555 : 45, y = i ? 519 : 10;
