@@ -37,6 +37,7 @@ DRIVERS := $(call without_linux,$(wildcard drivers/*.c))
 # Examples, and the C files that pel import makes for them.
 EXAMPLE_ASSETS_badge := bold_30 mono_15 portrait
 EXAMPLE_ASSETS_gauge := digits_36
+EXAMPLE_ASSETS_globe := earth sphere
 EXAMPLE_ASSETS_mesh := vase_small
 EXAMPLE_ASSETS_oled := fixed_6x13
 EXAMPLE_ASSETS_scope := sans_15
@@ -88,11 +89,16 @@ $(BUILD)/examples/$1_%.c: $(BUILD)/pel
 	$(BUILD)/pel import $(DEJAVU)/$(EXAMPLE_FONT_$1) --font-size $$* -o $$@ >/dev/null
 endef
 $(foreach f,sans digits bold mono,$(eval $(call example_font,$f)))
+EXAMPLE_PICTURE_earth := --format rgb565_le
 EXAMPLE_PICTURE_portrait := --format mono1 --dither diffusion
 $(BUILD)/examples/%.c: examples/pictures/%.pel $(BUILD)/pel
 	@mkdir -p $(@D)
 	$(BUILD)/pel run $< -o $(@:.c=.ppm)
 	$(BUILD)/pel import $(@:.c=.ppm) $(or $(EXAMPLE_PICTURE_$*),--format gray4) -o $@ >/dev/null
+$(BUILD)/examples/sphere.c: examples/pictures/sphere.awk $(BUILD)/pel
+	@mkdir -p $(@D)
+	awk -f $< >$(@:.c=.obj)
+	$(BUILD)/pel import $(@:.c=.obj) -o $@ >/dev/null
 $(BUILD)/examples/vase_small.c: $(BUILD)/pel
 	@mkdir -p $(@D)
 	$(BUILD)/pel import builtin:vase-small -o $@ >/dev/null

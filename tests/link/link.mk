@@ -82,7 +82,7 @@ LINK_STACK_Os := 608
 
 # What one would build (docs/PRODUCTS.md). Those of both CPUs run on a board with
 # a Cortex-M4, which has memory for whole screens. $1 build, $2 CPU, $3 product
-PRODUCTS := badge game gauge scope thermostat watch
+PRODUCTS := badge game gauge globe scope thermostat watch
 define product_program
 $(BUILD)/link/$1/product_$3.elf: $(filter-out drivers/%,$(call \
     example_sources,$3)) tests/link/product.h $(MCU_PORT:%.c=$(BUILD)/mcu/$1/%.o) \
