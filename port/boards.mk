@@ -6,7 +6,7 @@ ifndef BOARDS
 
 .PHONY: need-boards
 
-BOARDS := m0plus m4 m7 m33 arm926 rv32 a53
+BOARDS := m0plus m4 m7 m33 arm926 rv32 a53 lx106
 
 CPU_PREFIX_m0plus := arm-none-eabi
 CPU_PREFIX_m4 := arm-none-eabi
@@ -15,6 +15,7 @@ CPU_PREFIX_m33 := arm-none-eabi
 CPU_PREFIX_arm926 := arm-none-eabi
 CPU_PREFIX_rv32 := riscv64-unknown-elf
 CPU_PREFIX_a53 := aarch64-linux-gnu
+CPU_PREFIX_lx106 := xtensa-lx106-elf
 
 # The library as it was built for speed: the other one copies byte by byte.
 BOARD_LIBRARY := --specs=picolibc.specs --picolibc-buildtype=release
@@ -27,6 +28,9 @@ CPU_FLAGS_arm926 := -mcpu=arm926ej-s -marm $(BOARD_LIBRARY)
 CPU_FLAGS_rv32 := -march=rv32imc -misa-spec=2.2 -mabi=ilp32 $(BOARD_LIBRARY)
 # Data in memory without a map need not be aligned in QEMU 7.
 CPU_FLAGS_a53 := -mcpu=cortex-a53 --specs=picolibc.specs
+# An ESP8266's, whose gcc has picolibc by itself.
+CPU_LIBRARY_lx106 := libc.a
+CPU_FLAGS_lx106 := -mlongcalls -mtext-section-literals
 
 # $1 start of code, $2 its bytes, $3 start of data, $4 its bytes
 board_link = --oslib=semihost --crt0=hosted -Wl,--defsym=__flash=$1 \
@@ -40,6 +44,8 @@ CPU_LINK_arm926 := $(call board_link,0x10000,4M,0x410000,4M)
 CPU_LINK_rv32 := $(call board_link,0x80000000,4M,0x80400000,4M)
 CPU_LINK_a53 := -static -l:release/libc.a \
     $(call board_link,0x40080000,4M,0x40480000,4M)
+CPU_LINK_lx106 := -nostdlib -T port/lx106/sim.ld -std=gnu99 -O2 \
+    port/lx106/start.c port/lx106/rom.c -Wl,--start-group -lc -lgcc -Wl,--end-group
 
 # $1 architecture, $2 machine
 board_run = qemu-system-$1 -M $2 -display none -monitor none -serial none \
@@ -53,6 +59,8 @@ CPU_RUN_m33 := $(call board_run,arm,mps2-an505)
 CPU_RUN_arm926 := env QEMU_AUDIO_DRV=none $(call board_run,arm,versatilepb)
 CPU_RUN_rv32 := $(call board_run,riscv32,virt -bios none)
 CPU_RUN_a53 := $(call board_run,aarch64,virt -cpu cortex-a53)
+CPU_RUN_lx106 := qemu-system-xtensa -M sim -cpu lx106 -display none \
+    -monitor none -semihosting -kernel
 
 # Boards with the memory of products. They run the code of the CPU that is named;
 # a Cortex-M3 and an M0 run that of an M0+.
@@ -77,9 +85,11 @@ CPU_RUN_sifive_e := $(call board_run,riscv32,sifive_e)
 need-boards:
 	@tests/tools/need.sh qemu-system-arm:qemu-system-arm \
 	    qemu-system-riscv32:qemu-system-misc \
-	    $(foreach b,$(BOARDS),$(CPU_PREFIX_$b)-gcc:gcc-$(CPU_PREFIX_$b))
+	    qemu-system-xtensa:qemu-system-misc \
+	    $(foreach b,$(BOARDS),$(CPU_PREFIX_$b)-gcc:gcc-$(CPU_PREFIX_$b:%-lx106-elf=%-lx106))
 	@$(foreach b,$(BOARDS),test -f \
-	    "$$($(CPU_PREFIX_$b)-gcc -print-file-name=picolibc.specs)" || \
+	    "$$($(CPU_PREFIX_$b)-gcc -print-file-name=$(or \
+	        $(CPU_LIBRARY_$b),picolibc.specs))" || \
 	    tests/tools/need.sh picolibc.specs:picolibc-$(CPU_PREFIX_$b);)
 
 endif

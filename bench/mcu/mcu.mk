@@ -21,6 +21,7 @@ MCU_BENCH_m33 := cortex-m33 shift=6
 MCU_BENCH_arm926 := arm926 shift=6
 MCU_BENCH_rv32 := rv32imc shift=0
 MCU_BENCH_a53 := cortex-a53 shift=6
+MCU_BENCH_lx106 := lx106 shift=6
 
 # The objects are those of the golden scenes (tests/tools/cpus.mk).
 # $1 board, $2 level, $3 its objects

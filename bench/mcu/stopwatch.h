@@ -1,9 +1,9 @@
 /* A stopwatch that counts instructions, in an emulator. An instruction takes
  * 64 ns (QEMU's -icount shift=6) of SysTick at 25 MHz on a Cortex-M, at 20 MHz
  * on the board with an M33; of the counter of 24 MHz on a Versatile board with
- * an ARM926, of 62.5 MHz on AArch64. RISC-V counts retired instructions
- * (shift=0). On an x86-64 host it is a clock where POSIX is asked for: ns
- * instead of instructions. It stands still elsewhere. */
+ * an ARM926, of 62.5 MHz on AArch64, of 40 MHz on Xtensa. RISC-V counts
+ * retired instructions (shift=0). On an x86-64 host it is a clock where POSIX
+ * is asked for: ns instead of instructions. It stands still elsewhere. */
 #ifndef BENCH_MCU_STOPWATCH_H
 #define BENCH_MCU_STOPWATCH_H
 
@@ -62,6 +62,10 @@ static inline uint32_t stopwatch_read(void)
     uint32_t low;
     __asm__ volatile("csrr %0, minstret" : "=r"(low) : : "memory");
     count = low;
+#elif defined(__xtensa__)
+    uint32_t low;
+    __asm__ volatile("rsr %0, ccount" : "=r"(low) : : "memory");
+    count = low;
 #elif defined(__arm__)
     count = *(volatile uint32_t *)0x1000005Cu;
 #endif
@@ -72,6 +76,8 @@ static inline int32_t stopwatch_eighths(uint32_t from, uint32_t to)
 {
 #if defined(__riscv)
     const uint64_t scale = 8 * 24;
+#elif defined(__xtensa__)
+    const uint64_t scale = 75;
 #elif defined(__arm__)
     const uint64_t scale = 125;
 #elif defined(__x86_64__)

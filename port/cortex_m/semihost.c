@@ -1,5 +1,36 @@
 #include "semihost.h"
 
+#if defined(__xtensa__)
+
+enum { SYS_EXIT = 1, SYS_WRITE = 4 };
+
+/* The trap of Tensilica's simulator, which QEMU knows too. */
+static void call(int operation, uint32_t first, uint32_t second, uint32_t third)
+{
+    register int a2 __asm__("a2") = operation;
+    register uint32_t a3 __asm__("a3") = first;
+    register uint32_t a4 __asm__("a4") = second;
+    register uint32_t a5 __asm__("a5") = third;
+    __asm__ volatile("simcall"
+                     : "+r"(a2), "+r"(a3)
+                     : "r"(a4), "r"(a5)
+                     : "memory");
+}
+
+void semihost_write(const char *text)
+{
+    for (; *text; text++)
+        call(SYS_WRITE, 1, (uint32_t)text, 1);
+}
+
+void semihost_exit(int status)
+{
+    for (;;)
+        call(SYS_EXIT, (uint32_t)status, 0, 0);
+}
+
+#else
+
 enum { SYS_WRITE0 = 0x04, SYS_EXIT_EXTENDED = 0x20 };
 
 /* The trap that debuggers know, and the registers of its arguments. */
@@ -31,6 +62,15 @@ void semihost_write(const char *text)
     call(SYS_WRITE0, text);
 }
 
+void semihost_exit(int status)
+{
+    const uint32_t stopped_by_exit[2] = {0x20026, (uint32_t)status};
+    for (;;)
+        call(SYS_EXIT_EXTENDED, stopped_by_exit);
+}
+
+#endif
+
 void semihost_write_number(uint32_t number)
 {
     static const uint32_t power[] = {1000000000, 100000000, 10000000, 1000000,
@@ -46,11 +86,4 @@ void semihost_write_number(uint32_t number)
     }
     *p = '\0';
     semihost_write(digits);
-}
-
-void semihost_exit(int status)
-{
-    const uint32_t stopped_by_exit[2] = {0x20026, (uint32_t)status};
-    for (;;)
-        call(SYS_EXIT_EXTENDED, stopped_by_exit);
 }

@@ -12,8 +12,10 @@ enum { PAINT = 0x5A17C0DE };
 static inline uint32_t *stack_pointer(void)
 {
     uint32_t *sp;
-#ifdef __riscv
+#if defined(__riscv)
     __asm__ volatile("mv %0, sp" : "=r"(sp));
+#elif defined(__xtensa__)
+    __asm__ volatile("mov %0, a1" : "=r"(sp));
 #else
     __asm__ volatile("mov %0, sp" : "=r"(sp));
 #endif

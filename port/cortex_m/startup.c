@@ -29,6 +29,16 @@ __attribute__((naked, section(".vectors"), used)) static void begin(void)
     __asm__ volatile("la sp, stack_top\n\tj reset");
 }
 
+#elif defined(__xtensa__)
+
+__asm__(".section .vectors, \"ax\"\n"
+        "j 1f\n"
+        ".literal_position\n"
+        ".align 4\n"
+        "1: movi a1, stack_top\n"
+        "call0 reset\n"
+        ".text\n");
+
 #elif !defined(__thumb__)
 
 __attribute__((naked, section(".vectors"), used)) static void begin(void)

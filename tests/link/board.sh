@@ -9,15 +9,19 @@ board() {
     cortex-m33) echo mps2-an505 ;;
     arm926) echo versatilepb ;;
     rv32imc) echo virt -bios none ;;
+    lx106) echo sim -cpu lx106 ;;
     esac
 }
 
 # run_on_board CPU-LEVEL ELF : what the program writes
 run_on_board() {
     arch=arm
-    case $1 in rv32*) arch=riscv32 ;; esac
+    trap='-serial none -chardev stdio,id=out
+        -semihosting-config enable=on,target=native,chardev=out'
+    case $1 in
+    rv32*) arch=riscv32 ;;
+    lx106*) arch=xtensa trap=-semihosting ;;
+    esac
     QEMU_AUDIO_DRV=none timeout 60 qemu-system-$arch -M $(board "$1") -display none \
-        -monitor none -serial none -chardev stdio,id=out \
-        -semihosting-config enable=on,target=native,chardev=out \
-        -kernel "$2" </dev/null
+        -monitor none $trap -kernel "$2" </dev/null
 }

@@ -43,6 +43,7 @@ LINK_BOARD_cortex-m7 := mps2_an500
 LINK_BOARD_cortex-m33 := mps2_an505
 LINK_BOARD_arm926 := versatilepb
 LINK_BOARD_rv32imc := virt
+LINK_BOARD_lx106 := xtensa_sim
 
 # $1 build, $2 CPU
 define link_programs
@@ -50,7 +51,7 @@ $(BUILD)/mcu/$1/libdrivers.a: $(DRIVERS:%.c=$(BUILD)/mcu/$1/%.o)
 	rm -f $$@
 	$(AR) rcs $$@ $$^
 $(BUILD)/link/$1/%.elf: $(BUILD)/mcu/$1/tests/link/%.o \
-    $(MCU_PORT:%.c=$(BUILD)/mcu/$1/%.o) $(BUILD)/mcu/$1/libdrivers.a \
+    $(patsubst %.c,$(BUILD)/mcu/$1/%.o,$(MCU_PORT) $(MCU_PORT_$2)) $(BUILD)/mcu/$1/libdrivers.a \
     $(BUILD)/mcu/$1/libpel.a
 	@mkdir -p $$(@D)
 	$(MCU_CC_$2) $(MCU_LDFLAGS) -Wl,--wrap=main -Wl,-Map=$$@.map \

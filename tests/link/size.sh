@@ -94,6 +94,7 @@ printf 'cpu\tfeature\ttext\tdata\tbss\tstack\tstack_used\n'
 while read -r build programs; do
     case $build in
     rv32*) tools=riscv64-unknown-elf graph= ;;
+    lx106*) tools=xtensa-lx106-elf graph= ;;
     arm926*) tools=arm-none-eabi graph= ;;
     *) tools=arm-none-eabi graph=yes ;;
     esac

@@ -24,14 +24,6 @@ CPU_RUN_powerpc := qemu-ppc-static
 cpu_cc_gcc = $(if $(CPU_PREFIX_$1),$(CPU_PREFIX_$1)-)gcc
 cpu_cc_clang = clang$(if $(CPU_PREFIX_$1), --target=$(CPU_PREFIX_$1))
 
-# The CPU of an ESP8266, on a machine of QEMU's own. gcc finds picolibc there.
-CPU_PREFIX_lx106 := xtensa-lx106-elf
-CPU_FLAGS_lx106 := -mlongcalls -mtext-section-literals
-CPU_LINK_lx106 := -nostdlib -T port/lx106/sim.ld -std=gnu99 port/lx106/start.c \
-    -Wl,--start-group -lc -lgcc -Wl,--end-group
-CPU_RUN_lx106 := qemu-system-xtensa -M sim -cpu lx106 -display none \
-    -monitor none -semihosting -kernel
-
 # Levels with a name of their own; a variant that is one file.
 CPU_LEVEL_flto := -O2 -flto=auto
 CPU_ONE := one
@@ -61,7 +53,7 @@ BUILDS_DEEP := $(foreach p,$(BUILD_CPUS),$(foreach o,$(BUILD_LEVELS),\
     $p-$o $p-$o-$(CPU_ONE)))
 BUILDS_CHECK := gcc-host-Og gcc-host-flto-one clang-host-O3-one \
     gcc-m0plus-O2-one gcc-m4-Og-one gcc-m33-flto gcc-rv32-O3-one \
-    gcc-i686-Os-one gcc-aarch64-Og-one gcc-s390x-O1-one gcc-lx106-O0 \
+    gcc-i686-Os-one gcc-aarch64-Og-one gcc-s390x-O1-one gcc-m4-O0 \
     gcc-lx106-Os-one
 
 cpu_word = $(word $1,$(subst -, ,$2))
@@ -111,8 +103,7 @@ endef
 $(foreach b,$(SMALL_BOARDS),$(eval $(call cpu_small_board,$b,$(SMALL_CPU_$b))))
 
 need-cpus: | need-boards
-	@tests/tools/need.sh gcc:gcc clang:clang $(CPU_PREFIX_lx106)-gcc:gcc-xtensa-lx106 \
-	    qemu-system-xtensa:qemu-system-misc \
+	@tests/tools/need.sh gcc:gcc clang:clang \
 	    $(foreach p,$(filter-out host,$(CPUS)),\
 	        $(CPU_PREFIX_$p)-gcc:gcc-$(CPU_PREFIX_$p) \
 	        $(CPU_RUN_$p):qemu-user-static)
@@ -141,7 +132,7 @@ $(BUILD)/board/$1/$3: $(filter-out drivers/%,$(call example_sources,$3)) \
 	    $(4:%=-Wl,--defsym=__ram_size=%) -o $$@
 endef
 $(foreach b,$(BOARDS),$(foreach e,$(BOARD_EXAMPLES),$(eval $(call \
-    board_example,$b,$b,$e,$(if $(filter a53,$b),,$(BOARD_RAM_$e))))))
+    board_example,$b,$b,$e,$(if $(filter a53 lx106,$b),,$(BOARD_RAM_$e))))))
 $(foreach b,$(SMALL_BOARDS),$(foreach e,$(SMALL_EXAMPLES_$b),$(eval $(call \
     board_example,$b,$(SMALL_CPU_$b),$e))))
 
