@@ -53,6 +53,7 @@
 #include "smooth/smooth_arc.h"
 #include "smooth/smooth_circle.h"
 #include "smooth/smooth_convex.h"
+#include "smooth/smooth_ellipse.h"
 #include "smooth/smooth_gouraud.h"
 #include "smooth/smooth_polygon.h"
 #include "smooth/smooth_rectangle.h"

@@ -9,6 +9,17 @@ typedef char pel_smooth_polygon_fits[PEL_SMOOTH_POLYGON_SCRATCH_SIZE(1, 0) >=
                                          ? 1
                                          : -1];
 
+size_t pel_smooth_polygon_scratch_size(int32_t n, int32_t width)
+{
+    const size_t row = width < 0 ? 0 : ((size_t)width + 1) * 4;
+    const size_t edge = PEL_SMOOTH_POLYGON_SCRATCH_SIZE(1, 0) - 4;
+    const size_t most = (size_t)-1;
+    if (n < 1 || width < 0 || (size_t)width >= most / 4 ||
+        (size_t)n > (most - row) / edge)
+        return 0;
+    return PEL_SMOOTH_POLYGON_SCRATCH_SIZE(n, width);
+}
+
 /* False: it touches no row of the clip, or has no height. One that is right of
  * the clip cuts rows where it ends and where it crosses others, and so rounds
  * the areas of what is left of it. */
@@ -177,12 +188,10 @@ static enum pel_status check(const struct pel_surface *surface,
                              const void *scratch, size_t size)
 {
     const int32_t width = pel_max(surface->clip.x1 - surface->clip.x0, 0);
-    const size_t row = ((size_t)width + 1) * 4;
-    const size_t edge = PEL_SMOOTH_POLYGON_SCRATCH_SIZE(1, 0) - 4;
+    const size_t need = pel_smooth_polygon_scratch_size(p->n, width);
     if (!p->v || !scratch)
         return PEL_ERROR_NULL;
-    if ((uintptr_t)scratch % 8 || size < row ||
-        (size - row) / edge < (size_t)p->n)
+    if ((uintptr_t)scratch % 8 || need == 0 || size < need)
         return PEL_ERROR_SCRATCH;
     PEL_HINT(pel_in_subpixels(p->v, p->n, 0));
     return pel_points_legal(p->v, p->n) ? PEL_OK : PEL_ERROR_RANGE;

@@ -102,15 +102,14 @@ static uint8_t quadrant_of(struct pel_smooth_place d)
 }
 
 /* The half of a circle from a place on clockwise. */
-static void set_half(struct pel_smooth_bow *bow, struct pel_point center,
-                     struct pel_smooth_place from, int32_t radius)
+static struct pel_smooth_bow half_of(struct pel_point center,
+                                     struct pel_smooth_place from)
 {
-    *bow = (struct pel_smooth_bow){.center = center,
+    return (struct pel_smooth_bow){.center = center,
                                    .from = from,
                                    .to = {-from.x, -from.y},
                                    .first = quadrant_of(from),
                                    .count = 3};
-    pel_smooth_bow_set(bow, radius);
 }
 
 static PEL_NOINLINE int32_t paint_window(struct caps *caps,
@@ -147,8 +146,10 @@ static PEL_NOINLINE void paint_caps(const struct pel_surface *surface,
     struct caps caps;
     if (y >= end || !pel_smooth_begin(&caps.smooth, surface, paint))
         return;
-    set_half(&caps.bow[0], c->end[0], side_of(c, true), c->radius);
-    set_half(&caps.bow[1], c->end[1], side_of(c, false), c->radius);
+    caps.bow[0] = half_of(c->end[0], side_of(c, true));
+    caps.bow[1] = half_of(c->end[1], side_of(c, false));
+    pel_smooth_bow_set(&caps.bow[0], c->radius);
+    pel_smooth_bow_set(&caps.bow[1], c->radius);
     for (; y < end; y++)
         paint_cap_row(&caps, c, y);
 }

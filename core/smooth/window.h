@@ -43,13 +43,31 @@ static inline void pel_smooth_line_piece_set(
 void pel_smooth_window_begin(struct pel_smooth_window *window, int32_t y,
                              int32_t x, int32_t end);
 
-/* Adds what lies right of a piece, or takes it away: rising. */
+/* A side of a shape in a row: the columns that it crosses, of the mirrored
+ * picture if `left`. */
+struct pel_smooth_crossing {
+    struct pel_span columns;
+    int32_t height; /* 2^-15 px */
+    bool left, rising;
+};
+
+/* Leaves the columns that are in the window; false: none. */
+bool pel_smooth_window_find(struct pel_smooth_window *window,
+                            struct pel_smooth_crossing *crossing);
+
+/* Adds what lies right of the side, or takes it away: rising. The areas are
+ * those left of it in the columns that were found. */
+void pel_smooth_window_add(struct pel_smooth_window *window,
+                           const struct pel_smooth_crossing *crossing,
+                           const uint16_t *area);
+
+/* Finds and adds a piece of a line. */
 void pel_smooth_window_line(struct pel_smooth_window *window,
                             const struct pel_smooth_line_piece *piece,
                             bool rising);
 
 /* The same of a strip's right side in the picture that is mirrored if `left`,
- * around a centre in that picture. Sets what pel_smooth_strip_set does. */
+ * around a centre in that one. Sets what pel_smooth_strip_set does. */
 void pel_smooth_window_strip(struct pel_smooth_window *window,
                              struct pel_smooth_strip *strip, int32_t center,
                              bool left, bool rising);

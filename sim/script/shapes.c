@@ -103,8 +103,8 @@ static void draw_rect(struct script_pen *pen, const int32_t *v)
 static void draw_ellipse(struct script_pen *pen, const int32_t *v)
 {
     const struct pel_ellipse_shape shape = {points(v)[0], points(v)[1]};
-    (outlined(pen) ? pel_ellipse_outline : pel_ellipse)(pen->surface, &shape,
-                                                        script_paint(pen));
+    (outlined(pen) ? pel_ellipse_outline : FILL(pen, ellipse))(
+        pen->surface, &shape, script_paint(pen));
 }
 
 static void draw_rounded(struct script_pen *pen, const int32_t *v)

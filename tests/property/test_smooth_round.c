@@ -5,6 +5,7 @@
 
 #include "core/smooth/smooth_arc.h"
 #include "core/smooth/smooth_circle.h"
+#include "core/smooth/smooth_ellipse.h"
 #include "core/smooth/smooth_ring.h"
 #include "core/smooth/smooth_rounded_rectangle.h"
 #include "core/smooth/smooth_thick_line.h"
@@ -46,6 +47,7 @@ static void draw(const struct pel_surface *surface, const struct round *s)
     const struct pel_arc_shape arc = {s->center, s->inner, s->radius, s->from,
                                       s->from + s->turn};
     const struct pel_thick_line_shape line = {s->center, s->to, s->radius};
+    const struct pel_ellipse_shape ellipse = {s->center, {s->radius, s->inner}};
     switch (s->kind) {
     case RING:
         pel_smooth_ring(surface, &ring, &white.paint);
@@ -61,6 +63,9 @@ static void draw(const struct pel_surface *surface, const struct round *s)
         break;
     case LINE:
         pel_smooth_thick_line_round(surface, &line, &white.paint);
+        break;
+    case ELLIPSE:
+        pel_smooth_ellipse(surface, &ellipse, &white.paint);
         break;
     case ARC_ROUND:
         pel_smooth_arc_round(surface, &arc, &white.paint);
@@ -91,7 +96,9 @@ static struct pel_rect random_window(struct random *r, const struct round *s)
     const struct pel_point d = pel_direction((uint16_t)random_word(r));
     int64_t x = s->center.x + (int64_t)s->radius * d.x / 32768,
             y = s->center.y + (int64_t)s->radius * d.y / 32768;
-    if (s->kind > ROUNDED && random_word(r) % 2) {
+    if (s->kind == ELLIPSE)
+        y = s->center.y + (int64_t)s->inner * d.y / 32768;
+    if (s->kind > ROUNDED && s->kind < LINE && random_word(r) % 2) {
         const struct pel_point ray = pel_direction(
             (uint16_t)(s->from + (random_word(r) % 2 ? s->turn : 0)));
         const int32_t at = random_between(
@@ -142,8 +149,9 @@ static struct round random_round(struct random *r)
                       0};
     s.kind = random_word(r) % KINDS;
     s.radius = random_radius(r);
-    s.inner = random_word(r) % 2 ? random_between(r, 0, s.radius)
-                                 : pel_max(s.radius - random_radius(r), 0);
+    s.inner = s.kind == ELLIPSE    ? random_radius(r)
+              : random_word(r) % 2 ? random_between(r, 0, s.radius)
+                                   : pel_max(s.radius - random_radius(r), 0);
     s.from = random_between(r, -70000, 70000) & random_mask(r);
     s.turn = random_between(r, 1, s.kind == ARC_ROUND ? 32768 : 65535);
     s.turn = pel_max(s.turn & random_mask(r), 1);
@@ -163,11 +171,12 @@ static struct round random_round(struct random *r)
  * arcs are rounded to 1/256 px. */
 static real bound_of(const struct round *s)
 {
-    const int32_t hole = s->kind == RING || s->kind == ARC ? s->inner : 0;
-    const int32_t least = hole ? pel_min(hole, s->radius) : s->radius;
-    const bool good = least >= PEL_PX(16) && s->radius <= PEL_PX(2048) &&
-                      s->kind != ROUNDED && s->kind != ARC_ROUND &&
-                      s->kind != LINE;
+    const bool two = s->kind == RING || s->kind == ARC || s->kind == ELLIPSE;
+    const int32_t other = two && s->inner ? s->inner : s->radius;
+    const int32_t most = pel_max(other, s->radius);
+    const bool good = pel_min(other, s->radius) >= PEL_PX(16) &&
+                      most <= PEL_PX(2048) && s->kind != ROUNDED &&
+                      s->kind != ARC_ROUND && s->kind != LINE;
     return good ? 0.55L : 1;
 }
 
@@ -203,6 +212,7 @@ TEST(complements)
                                  inner = window_of(&b, others),
                                  outer = window_of(&b, disc);
         s.kind = RING;
+        s.inner = pel_min(s.inner, s.radius);
         draw(&ring, &s);
         pel_smooth_circle(&outer, s.center, s.radius, &white.paint);
         pel_smooth_circle(&inner, s.center, s.inner, &white.paint);
@@ -250,6 +260,7 @@ TEST(mirrors)
         const int32_t side = random_between(&c.random, 1, PEL_PX(SIZE) / 2);
         struct round s = {DISC, {side, side}, {0, 0}, 0, 0, 0, 0}, mirror;
         s.kind = random_word(&c.random) % ROUNDED;
+        s.kind = random_word(&c.random) % 3 ? s.kind : ELLIPSE;
         s.radius = random_between(&c.random, 0, side);
         s.inner = random_between(&c.random, 0, s.radius);
         if (random_word(&c.random) % 2)

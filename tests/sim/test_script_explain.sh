@@ -61,6 +61,7 @@ canvas 16 16 xrgb8888
 option smooth on
 paint flat #ff0000
 rect 1.25 1 2 2
+ellipse 12 12 2.5 1.5
 option smooth off
 rect 5.25 1 2 2
 END
@@ -68,7 +69,9 @@ explains 1 1 'line 4: rect: paint flat (line 3), #ff0000 alpha 191 over #000000 
     'covers 191 / 255 of the pixel'
 explains 3 2 'covers 64 / 255 of the pixel'
 explains 2 3 'line 4: rect: not covered' 'covers 0 / 255 of the pixel'
-explains 5 1 'line 6: rect: paint flat (line 3), #ff0000 over'
+explains 12 10 'line 5: ellipse: paint flat (line 3), #ff0000 alpha 117 over' \
+    'covers 117 / 255 of the pixel'
+explains 5 1 'line 7: rect: paint flat (line 3), #ff0000 over'
 
 # After every script of the gallery: the same pixel as in the picture.
 for scene in sim/scenes/*.pel; do

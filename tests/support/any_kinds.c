@@ -89,6 +89,9 @@ bool any_draw_smooth(const struct pel_surface *surface,
     case ANY_CIRCLE:
         pel_smooth_circle(surface, s->v[0], s->radius, paint);
         return true;
+    case ANY_ELLIPSE:
+        pel_smooth_ellipse(surface, ELLIPSE(s), paint);
+        return true;
     case ANY_SECTOR:
         pel_smooth_sector(surface, SECTOR(s), paint);
         return true;

@@ -11,7 +11,7 @@ static real disc_at(const struct area_polygon *pixel, int32_t radius)
         inside &=
             pixel->v[i].x * pixel->v[i].x + pixel->v[i].y * pixel->v[i].y <=
             r * r;
-    return inside ? 1 : area_in_disc(pixel, r);
+    return inside ? area_of_polygon(pixel) : area_in_disc(pixel, r);
 }
 
 static void cut_to(struct area_polygon *p, real x0, real y0, real x1, real y1)
@@ -125,12 +125,25 @@ static real line_at(const struct round *s, int32_t x, int32_t y)
     return area + area_of_polygon(&p);
 }
 
+/* x is scaled so that it is a disc. */
+static real ellipse_at(const struct round *s, struct area_polygon p)
+{
+    if (s->radius == 0 || s->inner == 0)
+        return 0;
+    const real scale = (real)s->inner / s->radius;
+    for (int i = 0; i < p.n; i++)
+        p.v[i].x *= scale;
+    return disc_at(&p, s->inner) / scale;
+}
+
 real round_area_at(const struct round *s, int32_t x, int32_t y)
 {
     const struct area_polygon pixel =
         area_pixel((real)s->center.x, (real)s->center.y, x, y);
     if (s->kind == DISC)
         return disc_at(&pixel, s->radius);
+    if (s->kind == ELLIPSE)
+        return ellipse_at(s, pixel);
     if (s->kind == ROUNDED)
         return rounded_at(s, x, y);
     if (s->kind == LINE)

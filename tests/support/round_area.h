@@ -6,11 +6,21 @@
 
 /* A shape of random numbers. */
 struct round {
-    enum { DISC, RING, ROUNDED, SECTOR, ARC, ARC_ROUND, LINE, KINDS } kind;
+    enum {
+        DISC,
+        RING,
+        ROUNDED,
+        SECTOR,
+        ARC,
+        ARC_ROUND,
+        LINE,
+        ELLIPSE,
+        KINDS
+    } kind;
     struct pel_point center;
-    struct pel_point to; /* of a rectangle, which begins at the centre */
-    int32_t radius, inner;
-    int32_t from, turn; /* angles */
+    struct pel_point to;   /* of a rectangle, which begins at the centre */
+    int32_t radius, inner; /* of an ellipse: along x, along y */
+    int32_t from, turn;    /* angles */
 };
 
 real round_area_at(const struct round *s, int32_t x, int32_t y);

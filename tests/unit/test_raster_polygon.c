@@ -48,6 +48,27 @@ TEST(scratch_size)
                     (size_t)INT32_MAX * 36);
 }
 
+TEST(smooth_scratch_size)
+{
+    static char polygon[PEL_SMOOTH_POLYGON_SCRATCH_SIZE(9, 40)];
+    static const struct pel_point v[3] = {PEL_AT(1, 1), PEL_AT(3, 1),
+                                          PEL_AT(2, 3)};
+    const struct pel_polygon_shape shape = {v, 3, PEL_EVEN_ODD};
+    const size_t need = pel_smooth_polygon_scratch_size(3, 8);
+    static uint64_t memory[100];
+    setup();
+    assert_int_equal(pel_smooth_polygon_scratch_size(9, 40), sizeof polygon);
+    assert_int_equal(pel_smooth_polygon_scratch_size(0, 40), 0);
+    assert_int_equal(pel_smooth_polygon_scratch_size(9, -1), 0);
+    assert_int_equal(pel_smooth_polygon_scratch_size(INT32_MIN, INT32_MIN), 0);
+    if (sizeof(size_t) > 4)
+        assert_true(pel_smooth_polygon_scratch_size(INT32_MAX, INT32_MAX) ==
+                    (size_t)INT32_MAX * 52 + ((size_t)INT32_MAX + 1) * 4);
+    assert_int_equal(pel_smooth_polygon(&hits.surface, &shape, &hits.paint,
+                                        memory, need - 1),
+                     PEL_ERROR_SCRATCH);
+}
+
 /* Fewer than three vertices cover nothing and need no memory; that of too many
  * is refused before a vertex is looked at. */
 TEST(what_is_refused)
