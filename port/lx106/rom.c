@@ -4,7 +4,10 @@
  */
 #include <stdint.h>
 
-uint64_t __umulsidi3(uint32_t a, uint32_t b);
+/* Calls of it may come from the compiler's last stage, with -flto too. */
+#define ROM __attribute__((used))
+
+ROM uint64_t __umulsidi3(uint32_t a, uint32_t b);
 uint64_t __umulsidi3(uint32_t a, uint32_t b)
 {
     const uint32_t a0 = a & 0xFFFF, a1 = a >> 16;
@@ -17,7 +20,7 @@ uint64_t __umulsidi3(uint32_t a, uint32_t b)
     return (uint64_t)high << 32 | other << 16 | (low & 0xFFFF);
 }
 
-uint64_t __muldi3(uint64_t a, uint64_t b);
+ROM uint64_t __muldi3(uint64_t a, uint64_t b);
 uint64_t __muldi3(uint64_t a, uint64_t b)
 {
     const uint32_t x = (uint32_t)a, y = (uint32_t)b;
@@ -58,14 +61,14 @@ static uint64_t divide_long(uint64_t n, uint64_t d, uint64_t *rest)
     return quotient;
 }
 
-uint64_t __udivdi3(uint64_t n, uint64_t d);
+ROM uint64_t __udivdi3(uint64_t n, uint64_t d);
 uint64_t __udivdi3(uint64_t n, uint64_t d)
 {
     uint64_t rest;
     return divide_long(n, d, &rest);
 }
 
-uint64_t __umoddi3(uint64_t n, uint64_t d);
+ROM uint64_t __umoddi3(uint64_t n, uint64_t d);
 uint64_t __umoddi3(uint64_t n, uint64_t d)
 {
     uint64_t rest;
@@ -73,7 +76,7 @@ uint64_t __umoddi3(uint64_t n, uint64_t d)
     return rest;
 }
 
-int64_t __divdi3(int64_t n, int64_t d);
+ROM int64_t __divdi3(int64_t n, int64_t d);
 int64_t __divdi3(int64_t n, int64_t d)
 {
     const uint64_t q = __udivdi3(n < 0 ? 0 - (uint64_t)n : (uint64_t)n,
@@ -81,14 +84,14 @@ int64_t __divdi3(int64_t n, int64_t d)
     return (int64_t)((n ^ d) < 0 ? 0 - q : q);
 }
 
-uint32_t __udivsi3(uint32_t n, uint32_t d);
+ROM uint32_t __udivsi3(uint32_t n, uint32_t d);
 uint32_t __udivsi3(uint32_t n, uint32_t d)
 {
     uint32_t rest;
     return divide(n, d, &rest);
 }
 
-uint32_t __umodsi3(uint32_t n, uint32_t d);
+ROM uint32_t __umodsi3(uint32_t n, uint32_t d);
 uint32_t __umodsi3(uint32_t n, uint32_t d)
 {
     uint32_t rest;
@@ -96,7 +99,7 @@ uint32_t __umodsi3(uint32_t n, uint32_t d)
     return rest;
 }
 
-int32_t __divsi3(int32_t n, int32_t d);
+ROM int32_t __divsi3(int32_t n, int32_t d);
 int32_t __divsi3(int32_t n, int32_t d)
 {
     const uint32_t q = __udivsi3(n < 0 ? 0 - (uint32_t)n : (uint32_t)n,

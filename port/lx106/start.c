@@ -5,7 +5,7 @@
 
 extern char bss_begin[], bss_end[];
 int main(void);
-void start(void);
+__attribute__((used)) void start(void); /* called below by name */
 
 __asm__(".section .text.start, \"ax\"\n"
         ".globl _start\n"
@@ -48,7 +48,8 @@ static int put(char c, FILE *file)
 }
 
 static FILE out = FDEV_SETUP_STREAM(put, NULL, flush, _FDEV_SETUP_WRITE);
-FILE *const stdout = &out, *const stderr = &out, *const stdin = NULL;
+__attribute__((used)) FILE *const stdout = &out, *const stderr = &out,
+                                  *const stdin = NULL;
 
 void start(void)
 {

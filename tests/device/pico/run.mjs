@@ -4,9 +4,10 @@
 // FOLDER/frames.txt, for glass.c.
 import fs from 'fs';
 import { createRequire } from 'module';
+import path from 'path';
 
 const [, , image, folder] = process.argv;
-const require = createRequire(`${process.cwd()}/${folder}/`);
+const require = createRequire(path.resolve(folder, 'run.mjs'));
 const { Simulator, ConsoleLogger, LogLevel, GPIOPinState } = require('rp2040js');
 
 const simulator = new Simulator();
