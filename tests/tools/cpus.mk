@@ -24,6 +24,11 @@ CPU_RUN_powerpc := qemu-ppc-static
 cpu_cc_gcc = $(if $(CPU_PREFIX_$1),$(CPU_PREFIX_$1)-)gcc
 cpu_cc_clang = clang$(if $(CPU_PREFIX_$1), --target=$(CPU_PREFIX_$1))
 
+# WebAssembly, with wasi-libc, run by node.
+CPU_PREFIX_wasm := wasm32-wasi
+CPU_LINK_wasm := -lc
+CPU_RUN_wasm := node --no-warnings tests/tools/wasi.js
+
 # Levels with a name of their own; a variant that is one file.
 CPU_LEVEL_flto := -O2 -flto=auto
 CPU_ONE := one
@@ -36,7 +41,7 @@ CPU_VARIANT_small := -DPEL_SMALL_CODE=1
 
 CPU_CHECK := $(foreach o,O0 Os O3,gcc-host-$o clang-host-$o) \
     gcc-host-O2-narrow gcc-host-O2-nofill clang-host-O2-plain gcc-armhf-O0 \
-    $(foreach p,i686 armhf aarch64 s390x,gcc-$p-O2)
+    $(foreach p,i686 armhf aarch64 s390x,gcc-$p-O2) clang-wasm-O0 clang-wasm-O2
 CPU_CHECK_BOARDS := gcc-m4-O0 $(BOARDS:%=gcc-%-O2)
 CPU_CHECK_SMALL := $(SMALL_BOARDS:%=gcc-%-O2)
 CPU_DEEP := $(foreach c,gcc clang,$(foreach o,O0 Os O2 O3,\
@@ -103,7 +108,7 @@ endef
 $(foreach b,$(SMALL_BOARDS),$(eval $(call cpu_small_board,$b,$(SMALL_CPU_$b))))
 
 need-cpus: | need-boards
-	@tests/tools/need.sh gcc:gcc clang:clang \
+	@tests/tools/need.sh gcc:gcc clang:clang wasm-ld:lld node:nodejs \
 	    $(foreach p,$(filter-out host,$(CPUS)),\
 	        $(CPU_PREFIX_$p)-gcc:gcc-$(CPU_PREFIX_$p) \
 	        $(CPU_RUN_$p):qemu-user-static)
