@@ -52,6 +52,7 @@ all: $(BUILD)/libpel.a ## build/libpel.a and the host program build/pel
 
 -include sim/sim.mk
 -include bench/bench.mk
+-include page/page.mk
 include packaging/packaging.mk
 -include tests/tests.mk
 

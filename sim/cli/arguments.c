@@ -56,18 +56,6 @@ bool option_numbers(const char *text, const struct option_row *o, double *value)
     return true;
 }
 
-int choice_find(const char *names, const char *name)
-{
-    const size_t length = strlen(name);
-    for (int i = 0; *names; i++) {
-        const size_t n = strcspn(names, "|");
-        if (n == length && memcmp(names, name, n) == 0)
-            return i;
-        names += n + (names[n] == '|');
-    }
-    return -1;
-}
-
 /* One, or as many as o->n says. */
 static bool parse_integers(const struct option_row *o, const char *text,
                            int *value)

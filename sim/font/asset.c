@@ -220,20 +220,26 @@ bool font_asset_make(struct pel_font_asset *asset, const struct font *font,
     return done || message_error("out of memory");
 }
 
-/* The font of pel's own texts is a part of the program. Its names are global,
- * since -flto may put this text into another file than the function below. */
-__asm__(".section .rodata\n"
-        ".globl builtin_font, builtin_font_end\n"
-        "builtin_font: .incbin \"sim/scenes/fixed_6x13.bdf\"\n"
-        "builtin_font_end: .byte 0\n"
-        ".text\n");
-extern const char builtin_font[], builtin_font_end[];
+/* The font of pel's own texts is a part of the program, a text with a 0 behind
+ * it. Its name is global, since -flto may put it into another file than the
+ * function below. WebAssembly parts data by symbols. */
+#ifdef __wasm__
+#define FONT_SECTION ".section .rodata.f,\"\",@\n.type builtin_font,@object\n"
+#define FONT_END ".Lend:\n.size builtin_font, .Lend - builtin_font\n"
+#else
+#define FONT_SECTION ".section .rodata\n"
+#define FONT_END ".text\n"
+#endif
+__asm__(FONT_SECTION ".globl builtin_font\n"
+                     "builtin_font: .incbin \"sim/scenes/fixed_6x13.bdf\"\n"
+                     ".byte 0\n" FONT_END);
+extern const char builtin_font[];
 
 bool font_asset_builtin(struct pel_font_asset *asset)
 {
     struct font font = {.missing = -1};
     struct font_file file = {.path = "builtin:6x13",
-                             .size = (size_t)(builtin_font_end - builtin_font)};
+                             .size = strlen(builtin_font)};
     file.data = malloc(file.size + 1); /* the parser cuts it into words */
     if (!file.data)
         return message_error("out of memory");

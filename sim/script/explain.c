@@ -1,4 +1,4 @@
-/* pel explain: what the commands of a script do to one pixel, and why. */
+/* What the commands of a script do to one pixel, and why. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,16 +7,12 @@
 #include "core/raster/thick_line.h"
 #include "core/raster/triangle.h"
 #include "sim/cli/arguments.h"
-#include "sim/cli/commands.h"
-#include "sim/cli/message.h"
-#include "sim/cli/number.h"
 #include "sim/script/commands.h"
 
 struct explanation {
-    struct script script;
-    const struct pel_format *format; /* NULL: the script's */
-    int at[2];                       /* the pixel's x, y */
-    bool all; /* tells of commands that leave the pixel, too */
+    const struct script *script;
+    int at[2]; /* the pixel's x, y */
+    bool all;  /* tells of commands that leave the pixel, too */
     struct script_pen pen;
     const struct script_item *clip; /* in force, or NULL */
     bool touched;
@@ -189,7 +185,7 @@ static void print_paint(const struct explanation *e,
 static void explain_item(struct explanation *e, const struct script_item *item)
 {
     pel_color color = 0;
-    const struct pel_format *format = e->script.format;
+    const struct pel_format *format = e->script->format;
     const pel_color before = pixel(e);
     const bool moves = item->command->role == SCRIPT_WHOLE;
     const bool weighed =
@@ -226,8 +222,8 @@ static void explain_item(struct explanation *e, const struct script_item *item)
 
 static void explain_all(struct explanation *e)
 {
-    for (size_t i = 0; i < e->script.item_count; i++) {
-        const struct script_item *item = &e->script.items[i];
+    for (size_t i = 0; i < e->script->item_count; i++) {
+        const struct script_item *item = &e->script->items[i];
         if (strcmp(item->command->name, "clip") == 0)
             e->clip = item;
         if (item->command->role >= SCRIPT_CLEAR)
@@ -239,60 +235,20 @@ static void explain_all(struct explanation *e)
         puts("no command touches this pixel");
 }
 
-static bool explain(struct explanation *e)
+bool script_explain(const struct script *script, int x, int y, bool all)
 {
+    struct explanation e = {.script = script, .at = {x, y}, .all = all};
     struct canvas canvas;
-    const int width = e->script.width, height = e->script.height;
-    if (!canvas_init(&canvas, e->script.format, width, height))
+    const int width = script->width, height = script->height;
+    if (!canvas_init(&canvas, script->format, width, height))
         return false;
-    const bool done = script_pen_init(&e->pen, &e->script, &canvas.surface);
+    const bool done = script_pen_init(&e.pen, script, &canvas.surface);
     if (done) {
-        printf("pixel (%d, %d): centre %.1f %.1f of %d x %d\n", e->at[0],
-               e->at[1], e->at[0] + 0.5, e->at[1] + 0.5, width, height);
-        explain_all(e);
-        script_pen_free(&e->pen);
+        printf("pixel (%d, %d): centre %.1f %.1f of %d x %d\n", x, y, x + 0.5,
+               y + 0.5, width, height);
+        explain_all(&e);
+        script_pen_free(&e.pen);
     }
     canvas_free(&canvas);
     return done;
-}
-
-static bool parse_pixel(const char *text, const char *axis, int size, int *to)
-{
-    int64_t value;
-    if (number_integer(text, 0, size - 1, &value) != NUMBER_OK)
-        return message_error("%s is '%s': expected a pixel in 0..%d", axis,
-                             text, size - 1);
-    *to = (int)value;
-    return true;
-}
-
-static const struct option_row options[] = {
-    {"all", NULL, "tell of commands that leave the pixel alone, too",
-     OPTION_FLAG, .offset = offsetof(struct explanation, all)},
-    {"format", "NAME", "draw in this pixel format, whatever the script says",
-     OPTION_FORMAT, .offset = offsetof(struct explanation, format)},
-    {.help = NULL},
-};
-
-int command_explain(int argc, char **argv)
-{
-    struct explanation e = {.all = false};
-    const struct command_line line = {
-        .arguments = "SCRIPT X Y",
-        .least = 3,
-        .most = 3,
-        .about = "Tells which commands of a script touch a pixel.\v"
-                 "In order, with the paint, the colour that it brings, what "
-                 "was there, what comes of it and the value in the canvas's "
-                 "format; and, for shapes, the numbers by which the pixel "
-                 "is covered or not.",
-        .tables = {{options, &e, NULL}}};
-    char **arguments = arguments_parse(&line, argc, argv);
-    const bool done =
-        script_load(&e.script, arguments[0], e.format) &&
-        parse_pixel(arguments[1], "X", e.script.width, &e.at[0]) &&
-        parse_pixel(arguments[2], "Y", e.script.height, &e.at[1]) &&
-        explain(&e);
-    script_free(&e.script);
-    return done ? STATUS_OK : STATUS_ERROR;
 }

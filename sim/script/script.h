@@ -61,6 +61,11 @@ bool script_draw(const struct script *script, struct canvas *canvas, int rows);
  * clear. -1, with a message, when memory is short. */
 long script_pick(const struct script *script, int x, int y);
 
+/* Prints what its commands do to pixel (x, y) of its canvas, and why; all:
+ * those that leave it alone, too. False, with a message, when memory is short.
+ */
+bool script_explain(const struct script *script, int x, int y, bool all);
+
 /* Finds a script with as few lines of `path` as it can that a command fails for
  * as it fails for the whole, and writes it to `output` ("-": standard output).
  * The command is one of sh; $1 is the script, in the folder of `path`, so that

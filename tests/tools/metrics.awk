@@ -129,7 +129,7 @@ END {
     file_end()
     printf "%-10s %9s %8s %8s %8s %8s\n", "folder", "functions", "median",
         "90 %", "longest", "params"
-    n = split("core drivers port sim bench tests examples", order, " ")
+    n = split("core drivers port sim page bench tests examples", order, " ")
     for (i = 1; i <= n; i++)
         row(order[i])
     printf "core: %d #if in %d lines\n", choices, core_lines

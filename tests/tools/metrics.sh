@@ -2,7 +2,7 @@
 # Measures every C source and checks its layout.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
-files=$(find core drivers port sim bench tests examples \
+files=$(find core drivers port sim page bench tests examples \
     -name '*.[ch]' -o -name '*.inc' -o -name '*.cpp' | sort)
 status=0
 LC_ALL=C awk -f tests/tools/metrics.awk $files || status=1
