@@ -6,7 +6,7 @@ PAGE := $(BUILD)/page
 PAGE_OBJECTS := $(BUILD)/wasm
 PAGE_CC := clang --target=wasm32-wasi
 PAGE_FLAGS := -Os -D_GNU_SOURCE
-PAGE_EXAMPLES := watch game gauge
+PAGE_EXAMPLES := watch thermostat scope game globe badge
 PAGE_ASSETS := $(sort $(foreach e,$(PAGE_EXAMPLES),$(EXAMPLE_ASSETS_$e)))
 PAGE_SOURCES := $(CORE) page/page.c page/parts.c port/sdl/inspect.c \
     sim/view/inspect.c $(wildcard bench/methods/fill_*.c) \
@@ -50,9 +50,9 @@ $(PAGE)/index.html: page/build.js $(wildcard page/*.html page/*.css page/*.js pa
 
 # In Chromium, in ten seconds.
 CHECK_EXTRA += check-page
-check-page: $(PAGE)/index.html $(BUILD)/pel
+check-page: $(PAGE)/index.html $(BUILD)/pel $(PAGE_EXAMPLES:%=$(BUILD)/examples/%)
 	@tests/tools/need.sh chromium:chromium
-	node tests/page/check.js $(BUILD)/pel $(PAGE)
+	node tests/page/check.js $(BUILD)/pel $(PAGE) $(PAGE_EXAMPLES:%=$(BUILD)/examples/%)
 
 .PHONY: need-page
 need-page:

@@ -17,6 +17,7 @@ class Player {
     caption.append(title, `${first.width} x ${first.height}, at most ${part} % ` +
       "of it sent for a step. ", button);
     this.figure = document.createElement("figure");
+    this.figure.player = this;
     this.figure.append(this.canvas, caption);
     button.addEventListener("click", () => this.run(!this.runs, button));
     this.next = 0;

@@ -1,6 +1,7 @@
 "use strict";
-// check.js PEL FOLDER : the page in FOLDER, opened from its file and from a server
-// in Chromium, typed into and clicked: what it shows is what PEL draws.
+// check.js PEL FOLDER EXAMPLE... : the page in FOLDER, opened from its file and from
+// a server in Chromium, typed into and clicked: what it shows is what PEL and the
+// examples draw.
 const { execFileSync } = require("node:child_process");
 const { createServer } = require("node:http");
 const { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } =
@@ -8,7 +9,7 @@ const { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } =
 const path = require("node:path");
 const { Browser } = require("./browser.js");
 
-const [pel, folder] = process.argv.slice(2);
+const [pel, folder, ...examples] = process.argv.slice(2);
 const file = path.resolve(folder, "index.html");
 const work = mkdtempSync(path.join(require("node:os").tmpdir(), "page-"));
 const browser = new Browser(path.join(work, "profile"));
@@ -20,29 +21,34 @@ function check(ok, what) {
     console.error("FAILED: " + what);
 }
 
-// What PEL writes of a script: width, height and R, G, B.
-function drawn(script, ...options) {
-  const ppm = path.join(work, "drawn.ppm");
-  execFileSync(pel, ["run", script, "-o", ppm, ...options]);
-  const bytes = readFileSync(ppm);
-  const [head, width, height] = /^P6\n(\d+) (\d+)\n?\s*255\n/.exec(
-    bytes.subarray(0, 40).toString("latin1"));
+// A PPM: width, height and R, G, B.
+function picture_of(bytes) {
+  const [head, width, height] = /^P6\n(?:#.*\n)*(\d+) (\d+)\s255\n/.exec(
+    bytes.subarray(0, 400).toString("latin1"));
   return { width: Number(width), height: Number(height),
     rgb: bytes.subarray(head.length) };
 }
 
-// The picture that is shown, after the page has drawn `turn` times or more.
-async function shown() {
-  const picture = await browser.value(`(() => {
-    const c = document.getElementById("picture");
-    const d = c.getContext("2d").getImageData(0, 0, c.width, c.height).data;
+// What PEL writes of a script.
+function drawn(script, ...options) {
+  const ppm = path.join(work, "drawn.ppm");
+  execFileSync(pel, ["run", script, "-o", ppm, ...options]);
+  return picture_of(readFileSync(ppm));
+}
+
+// The same of an ImageData of the page.
+async function image(expression) {
+  const picture = await browser.value(`((image) => {
     let text = "";
-    for (let i = 0; i < d.length; i++)
-      if (i % 4 < 3) text += String.fromCharCode(d[i]);
-    return { width: c.width, height: c.height, text: btoa(text) };
-  })()`);
+    for (let i = 0; i < image.data.length; i++)
+      if (i % 4 < 3) text += String.fromCharCode(image.data[i]);
+    return { width: image.width, height: image.height, text: btoa(text) };
+  })(${expression})`);
   return { ...picture, rgb: Buffer.from(picture.text, "base64") };
 }
+const shown = () => image(`((c) =>
+  c.getContext("2d").getImageData(0, 0, c.width, c.height))(
+    document.getElementById("picture"))`);
 const same = (a, b) => a.width === b.width && a.height === b.height &&
   a.rgb.equals(b.rgb);
 
@@ -139,12 +145,11 @@ async function check_scenes() {
 }
 
 async function check_rest() {
-  await browser.until("document.querySelectorAll('#players canvas').length > 2");
-  const colors = await browser.value(`Math.min(
-    ...[...document.querySelectorAll("#players canvas")].map((c) => new Set(
-      new Uint32Array(c.getContext("2d").getImageData(0, 0, c.width, c.height)
-        .data.buffer)).size))`);
-  check(colors > 4, "an example shows nothing");
+  const players = "document.querySelectorAll('#players figure')";
+  await browser.until(players + ".length === " + examples.length);
+  for (const [i, example] of examples.entries())
+    check(same(await image(`${players}[${i}].player.frames.at(-1)`),
+      picture_of(execFileSync(example))), example + " ends with another picture");
   const counts = () => browser.value(
     "[...document.querySelectorAll('#ways span')].map((s) => s.textContent).join()");
   const before = await counts();
