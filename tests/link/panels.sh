@@ -14,7 +14,8 @@ modules that their values are meant for. All four rotations are there, but where
 table says otherwise: `tests/unit/test_drivers_panel.c` sends pictures of every
 size and place to a model of each chip, written from its data sheet alone, which
 has to show them. No model knows all glass: where a module shows another picture,
-`inverted`, `swapped`, `left` and `top` of struct pel_panel tell the driver.
+`inverted`, `swapped`, `left` and `top` of struct pel_panel tell the driver. An
+`st7789` and an `ssd1306` at an emulated RP2040 show [whole programs](firmware.md).
 
 Flash and stack in bytes of a Cortex-M0+ (`make size`): the driver with all that it
 needs of drivers/, without the board's bus. Beside the stack a panel takes 72
