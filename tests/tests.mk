@@ -45,6 +45,7 @@ TEST_KNOBS := tests/property/test_raster_triangles \
     tests/property/test_fast_textures \
     tests/property/test_scene_pictures tests/property/test_paint_gradients \
     tests/property/test_round_coverage tests/property/test_smooth_coverage \
+    tests/property/test_smooth_round \
     tests/unit/test_base_product
 
 # $1 build

@@ -7,6 +7,12 @@
 #include "smooth_thick_line.h"
 #include "smooth_walk.h"
 
+/* Pixels that a side of the body may cross in a row, in every build, since the
+ * rows of arcs round other sums. */
+enum { NARROW = 6 };
+
+typedef char pel_smooth_narrow_fits[NARROW <= PEL_SMOOTH_WIDE - 2 ? 1 : -1];
+
 struct capsule {
     struct pel_point end[2], d; /* upper, lower; from one to the other */
     int32_t radius;
@@ -190,8 +196,7 @@ static void find_body(struct capsule *c)
     const int32_t a = c->end[0].y + ((tip + 255) >> 8);
     const int32_t b = c->end[1].y - ((tip + 255) >> 8);
     c->body = (struct pel_span){pel_pixel_of(a + 255), pel_pixel_of(b)};
-    if (c->body.x0 >= c->body.x1 ||
-        pel_magnitude(c->d.x) / (PEL_SMOOTH_WIDE - 2) >= c->d.y)
+    if (c->body.x0 >= c->body.x1 || pel_magnitude(c->d.x) / NARROW >= c->d.y)
         c->body.x0 = c->body.x1 = c->box.y1;
 }
 

@@ -6,7 +6,7 @@
 #include "smooth_edge.h"
 
 /* Pixels that a side may cross in a row that is walked in whole. */
-enum { PEL_SMOOTH_WIDE = PEL_64BIT ? 32 : PEL_SMALL_CODE ? 4 : 8 };
+enum { PEL_SMOOTH_WIDE = PEL_64BIT ? 32 : 8 };
 
 struct pel_smooth_side {
     int64_t at;   /* x at the top of the row or of the edge, px 2^-32 */
