@@ -52,6 +52,10 @@ void mend_face(struct mend *m, long corners, const struct mend_corner *like);
 /* The lines of a material file beside the mesh. */
 bool mend_mtl(struct mend *m, const char *name);
 
+/* The bytes of a part of a package of 3MF, malloc'ed; NULL: it cannot be read.
+ */
+unsigned char *mend_3mf_part(const char *path, const char *name, size_t *size);
+
 /* Reads a file into text and size, within the limits. False without a message,
  * with errno for file_refuse. */
 bool mend_read(struct mend *m, const char *path);
