@@ -132,9 +132,10 @@ check: check-build ## every test; the last line is `N passed, N failed`
 	$(file >$(T)/check.list,$(CHECK_LINES))
 	@sed 's/^ *//' $(T)/check.list | tests/support/run.sh $(T)/check
 
-# 10^8 triangles through either walk, ten times the cases of all others, and the
-# golden scenes on every CPU by every compiler at every level. The seed is
-# another one each time; it is printed, and PEL_SEED=N repeats a run.
+# 10^8 triangles through either walk, 10^6 smooth round shapes, ten times the
+# cases of all others, and the golden scenes on every CPU by every compiler at
+# every level. The seed is another one each time; it is printed, and PEL_SEED=N
+# repeats a run.
 DEEP_SCALE ?= 1000
 DEEP_PARTS := 0 1 2 3 4
 DEEP_EXTRA := deep-builds deep-cpus deep-order
@@ -151,7 +152,8 @@ deep: $(DEEP_PROGRAMS) ## the long sweeps: 10^8 triangles, all CPUs; half an hou
 	        PEL_SCALE=1000 $(T)/$$b/tests/property/test_raster_triangles"; \
 	done; done >>$(T)/deep.list; \
 	for p in $(filter-out %/test_raster_triangles,$(TEST_PROPERTY)); do \
-	    printf '%s\t%s\n' "$$p" "PEL_SCALE=$(DEEP_SCALE) $(T)/host/$$p"; \
+	    case $$p in *smooth_round) scale=2500 ;; *) scale=$(DEEP_SCALE) ;; esac; \
+	    printf '%s\t%s\n' "$$p" "PEL_SCALE=$$scale $(T)/host/$$p"; \
 	done >>$(T)/deep.list; \
 	PEL_SEED=$$seed PEL_TIMEOUT=36000 tests/support/run.sh $(T)/deep \
 	    <$(T)/deep.list

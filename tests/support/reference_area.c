@@ -71,9 +71,27 @@ static real triangle(real ax, real ay, real bx, real by, real radius)
            (to < 1 ? sector(qx, qy, bx, by, radius) : 0);
 }
 
+/* From the first corner to the farthest. */
+static real extent_of(const struct area_polygon *p)
+{
+    real most = 0;
+    for (int i = 1; i < p->n; i++) {
+        const real x = p->v[i].x - p->v[0].x, y = p->v[i].y - p->v[0].y;
+        most = x * x + y * y > most ? x * x + y * y : most;
+    }
+    return real_root(most);
+}
+
+/* A polygon all inside or all outside needs no arcs. */
 real area_in_disc(const struct area_polygon *p, real radius)
 {
     real area = 0;
+    const real extent = extent_of(p), x = p->v[0].x, y = p->v[0].y;
+    const real distance = real_root(x * x + y * y);
+    if (p->n == 0 || distance - extent > radius)
+        return 0;
+    if (distance + extent < radius)
+        return area_of_polygon(p);
     for (int i = 0; i < p->n; i++) {
         const int k = (i + 1) % p->n;
         area += triangle(p->v[i].x, p->v[i].y, p->v[k].x, p->v[k].y, radius);

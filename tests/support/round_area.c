@@ -2,18 +2,6 @@
 
 #include "core/base/trig.h"
 
-/* A pixel without arcs needs no arithmetic. */
-static real disc_at(const struct area_polygon *pixel, int32_t radius)
-{
-    const real r = (real)radius / 256;
-    bool inside = true;
-    for (int i = 0; i < 4; i++)
-        inside &=
-            pixel->v[i].x * pixel->v[i].x + pixel->v[i].y * pixel->v[i].y <=
-            r * r;
-    return inside ? area_of_polygon(pixel) : area_in_disc(pixel, r);
-}
-
 static void cut_to(struct area_polygon *p, real x0, real y0, real x1, real y1)
 {
     area_cut(p, -1, 0, -x0);
@@ -133,7 +121,7 @@ static real ellipse_at(const struct round *s, struct area_polygon p)
     const real scale = (real)s->inner / s->radius;
     for (int i = 0; i < p.n; i++)
         p.v[i].x *= scale;
-    return disc_at(&p, s->inner) / scale;
+    return area_in_disc(&p, (real)s->inner / 256) / scale;
 }
 
 real round_area_at(const struct round *s, int32_t x, int32_t y)
@@ -141,7 +129,7 @@ real round_area_at(const struct round *s, int32_t x, int32_t y)
     const struct area_polygon pixel =
         area_pixel((real)s->center.x, (real)s->center.y, x, y);
     if (s->kind == DISC)
-        return disc_at(&pixel, s->radius);
+        return area_in_disc(&pixel, (real)s->radius / 256);
     if (s->kind == ELLIPSE)
         return ellipse_at(s, pixel);
     if (s->kind == ROUNDED)
@@ -150,7 +138,7 @@ real round_area_at(const struct round *s, int32_t x, int32_t y)
         return line_at(s, x, y);
     if (s->kind != RING)
         return arc_at(s, x, y);
-    return s->inner < s->radius
-               ? disc_at(&pixel, s->radius) - disc_at(&pixel, s->inner)
-               : 0;
+    return s->inner < s->radius ? area_in_disc(&pixel, (real)s->radius / 256) -
+                                      area_in_disc(&pixel, (real)s->inner / 256)
+                                : 0;
 }
