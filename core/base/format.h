@@ -49,7 +49,10 @@ enum pel_format_id {
     PEL_FORMAT_ARGB8888,      /* 32: A 31..24, R, G, B 7..0: a source with alpha
                                   (format/argb8888.h), not a display's format */
     PEL_FORMAT_PALETTE4,      /*  4, 8: indices of colors (format/palette.h), */
-    PEL_FORMAT_PALETTE8       /*  sources too; as gray4 in memory */
+    PEL_FORMAT_PALETTE8,      /*  sources too; as gray4 in memory */
+    PEL_FORMAT_INKS2          /*  2: white, black, red, yellow, of e-paper; left
+                                  pixel in the high bits. Takes the nearest in
+                                  RGB, of two the first */
 };
 
 /* A row of the dither's matrix: 8 places for channels of 1 bit, 8 for 2 bits,
@@ -107,7 +110,7 @@ struct pel_channels {
 
 struct pel_format {
     uint8_t id;   /* enum pel_format_id; 128..250 for formats of your own */
-    uint8_t bits; /* of a pixel: 1, 4, 8, 16, 24 or 32 */
+    uint8_t bits; /* of a pixel: 1, 2, 4, 8, 16, 24 or 32 */
     uint8_t word; /* bytes that pixels and stride are a multiple of */
 
     /* Bits of red, green and blue, 1 to 7, apart from each other in the pixel;

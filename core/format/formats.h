@@ -25,5 +25,6 @@ extern const struct pel_format pel_gray8;
 extern const struct pel_format pel_gray4;
 extern const struct pel_format pel_mono1;
 extern const struct pel_format pel_mono1_pages;
+extern const struct pel_format pel_inks2;
 PEL_END_DECLS
 #endif

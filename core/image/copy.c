@@ -128,10 +128,10 @@ static PEL_ALWAYS_INLINE void copy_lines(const struct run *r, uint8_t *to,
 }
 
 /* How a format of a program's own keeps pixels is its own affair: with a key,
- * unused bits or shared bytes its functions are asked. */
+ * unused bits or shared bytes its functions are asked; those of inks, too. */
 static bool can_copy(const struct pel_format *f, bool keyed)
 {
-    if (f->id >= 128)
+    if (f->id > PEL_FORMAT_PALETTE8)
         return !keyed && f->bits % 8 == 0 && f->pack(0) == 0 &&
                f->pack(PEL_RGB(255, 255, 255)) == UINT32_MAX >> (32 - f->bits);
     if (f->id == PEL_FORMAT_MONO1_PAGES)

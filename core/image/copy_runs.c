@@ -127,7 +127,7 @@ void pel_copy_runs(const struct pel_surface *surface,
                      .alpha = alpha};
     if (f->bits < 8) {
         c.bytes = 1;
-        c.pixels = f->bits == 4 ? 2 : 8;
+        c.pixels = 8 >> (f->bits >> 1);
     }
     r = pel_rect_intersect(&r, &surface->clip);
     if (pel_rect_empty(&r))

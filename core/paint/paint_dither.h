@@ -14,8 +14,9 @@ PEL_BEGIN_DECLS
  * step between two levels. Colors that are levels stay.
  *
  * Red, green and blue apart, or the grey of a color, with the bits that the
- * format's `depth` says; nothing in formats of 8 bits a channel, and in the
- * _fill ones. Acts on the source's color, before it is blended with its alpha.
+ * format's `depth` says; nothing in formats of 8 bits a channel, of inks,
+ * and in the _fill ones. Acts on the source's color, before it is blended with
+ * its alpha.
  */
 struct pel_dither {
     struct pel_paint paint;

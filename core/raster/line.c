@@ -110,7 +110,7 @@ static void put_packed(const struct pixels *l, const struct pel_surface *s,
     put_bits(l, &b, flat != pages);
 }
 
-/* False when it is another line. */
+/* False when it is another line, or a format of no usual display. */
 static bool put_pixels(const struct pel_surface *s, const struct pel_rect *p,
                        const struct pel_paint *paint)
 {
@@ -118,9 +118,9 @@ static bool put_pixels(const struct pel_surface *s, const struct pel_rect *p,
     const struct pel_rect *clip = &s->clip;
     const int32_t left = pel_min(p->x0, p->x1), right = pel_max(p->x0, p->x1);
     const int32_t dx = right - left, dy = p->y1 - p->y0;
-    if (dx >= 8 * dy || paint->fill != pel_flat_fill || f->id >= 128 ||
-        left < clip->x0 || right >= clip->x1 || p->y0 < clip->y0 ||
-        p->y1 >= clip->y1)
+    if (dx >= 8 * dy || paint->fill != pel_flat_fill ||
+        f->id > PEL_FORMAT_MONO1_PAGES || left < clip->x0 ||
+        right >= clip->x1 || p->y0 < clip->y0 || p->y1 >= clip->y1)
         return false;
     const pel_color color = ((const struct pel_flat *)paint)->color;
     if (pel_alpha(color) != 255)

@@ -233,8 +233,7 @@ static bool check(struct import_command *c)
     if (c->kind != IMPORT_PEL2D && strcmp(output, "-") != 0 &&
         !path_has_ending(output, " .c "))
         return message_error_at(output, 0, "expected an output .c or .pel2d");
-    if (c->kind == IMPORT_MESH && c->format &&
-        c->format->id > PEL_FORMAT_ARGB8888)
+    if (c->kind == IMPORT_MESH && c->format && import_has_palette(c->format))
         return message_error("--format of textures is a palette: expected "
                              "another");
     if (!o->name)
@@ -279,7 +278,7 @@ static bool import_as_picture(struct import_command *c)
     const pel_color background = c->scene.settings.camera.background;
     const struct pel_format *format =
         c->format ? c->format : format_find("rgb565_le");
-    if (format->id >= PEL_FORMAT_ARGB8888 && background != 0)
+    if (import_has_alpha(format) && background != 0)
         return message_error(
             "--background is for formats without alpha; " IMPORT_ALPHA_FORMAT
             " and palettes keep it");

@@ -15,6 +15,17 @@
 /* Those of palette4 and palette8; the colors are the picture's. */
 extern const struct pel_palette import_palettes[2];
 
+static inline bool import_has_palette(const struct pel_format *format)
+{
+    return format->id == PEL_FORMAT_PALETTE4 ||
+           format->id == PEL_FORMAT_PALETTE8;
+}
+
+static inline bool import_has_alpha(const struct pel_format *format)
+{
+    return format->id == PEL_FORMAT_ARGB8888 || import_has_palette(format);
+}
+
 /* What is done to a picture, in this order. */
 struct import_changes {
     pel_color key; /* pixels of that color become clear */

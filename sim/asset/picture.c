@@ -38,7 +38,7 @@ bool import_texture(struct import_text *text, unsigned number,
     text->options = &own;
     text->kind = "image";
     struct picture_table table = {.count = 0};
-    if (format->id < PEL_FORMAT_ARGB8888)
+    if (!import_has_alpha(format))
         blend(picture, &own);
     const bool done = picture_write(text, picture, format, &table, NULL);
     text->options = mesh.options;
@@ -86,13 +86,16 @@ static bool choose_palette(struct picture *picture,
     return check_colors((int)table->count, format);
 }
 
+static const pel_color inks[] = {PEL_RGB(255, 255, 255), PEL_RGB(0, 0, 0),
+                                 PEL_RGB(255, 0, 0), PEL_RGB(255, 255, 0)};
+
 static bool check_changes(const struct import_changes *c,
                           const struct pel_format *format)
 {
-    const bool palette = picture_has_palette(format);
+    const bool palette = import_has_palette(format);
     if ((c->colors || c->own_palette) && !palette)
         return message_error("--palette is for --format palette4 and palette8");
-    if (c->alpha && format->id >= PEL_FORMAT_ARGB8888)
+    if (c->alpha && import_has_alpha(format))
         return message_error("--alpha is for formats without alpha");
     if (c->compress && format->id == PEL_FORMAT_MONO1_PAGES)
         return message_error("--compress is not for mono1_pages: expected "
@@ -102,8 +105,8 @@ static bool check_changes(const struct import_changes *c,
                              "--alpha for those that pel_masked_init takes");
     if (palette && !check_colors(c->colors, format))
         return false;
-    if (c->dither &&
-        !(palette ? c->colors || c->own_palette : format->depth[0] > 0))
+    if (c->dither && !(palette ? c->colors || c->own_palette
+                               : format->depth[0] > 0 || format == &pel_inks2))
         return message_error(palette ? "--dither of a palette needs --palette"
                                      : "--dither has no use in a format of 8 "
                                        "bits a channel");
@@ -129,6 +132,7 @@ static bool change(struct picture *picture, const struct import_options *o,
                    const struct pel_format *format, struct changed *to)
 {
     const struct import_changes *c = &o->changes;
+    const struct picture_levels ink_levels = {.palette = inks, .colors = 4};
     const struct picture_levels format_levels = {.format = format};
     if (c->has_key)
         make_clear(picture, c->key);
@@ -136,9 +140,9 @@ static bool change(struct picture *picture, const struct import_options *o,
         return false;
     if (c->alpha && !take_alpha(picture, &to->alpha))
         return false;
-    if (format->id < PEL_FORMAT_ARGB8888)
+    if (!import_has_alpha(format))
         blend(picture, o);
-    if (picture_has_palette(format)) {
+    if (import_has_palette(format)) {
         struct picture_table *table = &to->table;
         if (!choose_palette(picture, o, format, table))
             return false;
@@ -146,7 +150,10 @@ static bool change(struct picture *picture, const struct import_options *o,
                                               .colors = (int)table->count};
         return table->count == 0 || picture_reduce(picture, &levels, c->dither);
     }
-    return !c->dither || picture_reduce(picture, &format_levels, c->dither);
+    return !c->dither ||
+           picture_reduce(picture,
+                          format == &pel_inks2 ? &ink_levels : &format_levels,
+                          c->dither);
 }
 
 static bool write_alpha(struct import_text *text, struct picture *alpha,

@@ -12,7 +12,7 @@
 
 static const char *name_of(const struct pel_format *format)
 {
-    if (picture_has_palette(format))
+    if (import_has_palette(format))
         return format->bits == 4 ? "palette4" : "palette8";
     const struct format_name *entry = format_names;
     while (entry->name && entry->format != format)
@@ -43,7 +43,7 @@ static unsigned contrast_of(const struct pel_surface *surface,
     struct pel_texels texels = {.colors = picture->pixels,
                                 .width = picture->width,
                                 .height = picture->height};
-    if (!picture_has_palette(surface->format))
+    if (!import_has_palette(surface->format))
         texels.surface = surface;
     return pel_texels_contrast(&texels);
 }
@@ -147,7 +147,7 @@ static bool store(const struct pel_surface *surface,
     const int width = picture->width;
     for (int y = 0; y < picture->height; y++) {
         pel_color *row = picture_row(picture, y);
-        if (picture_has_palette(format)) {
+        if (import_has_palette(format)) {
             if (!store_indices(surface, y, width, row, table))
                 return message_error_at(options->source, 0,
                                         "has more than %d colours: expected a "
@@ -169,14 +169,14 @@ bool picture_write(struct import_text *text, const struct picture *picture,
 {
     struct canvas canvas;
     /* In memory an index is as a grey. */
-    const struct pel_format *memory = !picture_has_palette(format) ? format
-                                      : format->bits == 4          ? &pel_gray4
-                                                                   : &pel_gray8;
+    const struct pel_format *memory = !import_has_palette(format) ? format
+                                      : format->bits == 4         ? &pel_gray4
+                                                                  : &pel_gray8;
     if (!canvas_init(&canvas, memory, picture->width, picture->height))
         return false;
     canvas.surface.format = format;
     bool done = store(&canvas.surface, picture, text->options, table);
-    if (done && picture_has_palette(format))
+    if (done && import_has_palette(format))
         write_palette(text, table, format->bits);
     if (done && in_runs) {
         struct runs runs;

@@ -11,11 +11,6 @@ struct picture_table {
     size_t count;
 };
 
-static inline bool picture_has_palette(const struct pel_format *format)
-{
-    return format->id > PEL_FORMAT_ARGB8888;
-}
-
 /* Writes the asset with the name of text->options, and the table if it has one.
  * *in_runs becomes what words and rows of its runs take in flash; NULL: it has
  * none. False, with a message, where colors are too many or memory is short. */

@@ -17,7 +17,7 @@ static bool is_silent(const struct import_options *options)
 /* Of its palette. */
 static size_t colors_of(const struct pel_format *format)
 {
-    return format->id > PEL_FORMAT_ARGB8888 ? (size_t)4 << format->bits : 0;
+    return import_has_palette(format) ? (size_t)4 << format->bits : 0;
 }
 
 /* Pixels, and the colours of a palette. */

@@ -6,7 +6,7 @@
 #include "sim/demo/demo.h"
 #include "sim/image/format_names.h"
 
-enum { TILE_WIDTH = 176, TILE_HEIGHT = 120, GAP = 8, COLUMNS = 5, ROWS = 3 };
+enum { TILE_WIDTH = 176, TILE_HEIGHT = 120, GAP = 8, COLUMNS = 4, ROWS = 4 };
 
 /* A ramp, three discs, and a ramp of greys. */
 static const char tile_script[] =

@@ -27,7 +27,7 @@ static int run_at(const struct row *r, int at)
 {
     const unsigned first = r->from[at];
     int n = 1;
-    if (r->bits < 8 && first % (r->bits == 4 ? 0x11 : 0xFF) != 0)
+    if (r->bits < 8 && first % (0xFFu / ((1u << r->bits) - 1)) != 0)
         return 1;
     while (n < r->most && at + n < r->n && are_equal(r, at, at + n))
         n++;

@@ -6,7 +6,6 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "sim/cli/message.h"
 
@@ -105,10 +104,12 @@ static bool put_face(struct mend *m, const char *text)
 static bool put_library(struct mend *m, const char *text)
 {
     char *path = mend_path_beside(m->path, text), *names, *rest, *name;
-    const bool is_one = path && access(path, R_OK) == 0;
+    FILE *file = path ? fopen(path, "rb") : NULL;
     free(path);
-    if (is_one)
+    if (file) {
+        fclose(file);
         return mend_mtl(m, text);
+    }
     rest = names = strdup(text);
     bool good = names;
     while (good && (name = strtok_r(rest, " \t", &rest)))

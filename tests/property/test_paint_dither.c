@@ -21,7 +21,7 @@ static uint32_t bayer(int32_t x, int32_t y)
 
 static bool has_few_levels(const struct layout *l)
 {
-    return l->bits <= 16 && l->format->id != PEL_FORMAT_GRAY8;
+    return l->bits <= 16 && l->format->id != PEL_FORMAT_GRAY8 && !l->inks;
 }
 
 /* What the format shows of a color that it has; grey for grey formats. */

@@ -105,11 +105,6 @@ below() { # WHAT MEAN WORST: of standard input
 shown "$work/icon.ppm" 256 | below "256 colours of 256" 0 0
 shown "$work/300.ppm" 256 | below "256 colours of 300" 1.5 20
 shown "$work/300.ppm" 64 | below "64 colours of 300" 10 60
-# More colours than are looked at one by one, and white, which stays.
-awk 'BEGIN { print "P3 256 288 255"; for (y = 0; y < 288; y++) for (x = 0; x < 256; x++)
-    print y < 256 ? x " " y " " (x * 7 + y * 13) % 256 : "255 255 255" }' >"$work/many.ppm"
-shown "$work/many.ppm" 256 | below "256 colours of 65,537" 9 40
-colors "$work/many.ppm" --format palette8 --palette 256 | grep -c ffffffff | equal white 1
 colors "$work/300.ppm" --format palette4 --palette 5 | grep -vc 00000000 |
     equal "5 colours" 5
 printf 'P3 3 1 255 255 0 255 10 20 30 10 20 30' >"$work/key.ppm"
@@ -163,6 +158,26 @@ for way in ordered diffusion; do
         fail "a palette of 2 is not dithered: $way"
 done
 
+# Inks: the four colours are theirs, others have the mean of what is dithered.
+printf 'P3 4 1 255 255 255 255 0 0 0 255 0 0 255 255 0\n' >"$work/inks.ppm"
+bytes "$work/inks.ppm" --format inks2 | equal inks 27
+for color in '255 100 0' '90 90 90' '200 160 80' '255 30 0'; do
+    awk -v c="$color" 'BEGIN { print "P3 64 64 255"
+        for (i = 0; i < 4096; i++) print c }' >"$work/c.ppm"
+    bytes "$work/c.ppm" --format inks2 --dither diffusion |
+        awk -v c="$color" '
+            { n = $1 + 0
+              for (k = 0; k < 4; k++) { count[n % 4]++; n = int(n / 4) } }
+            END { split(c, want, " ")
+                  mean[1] = count[0] + count[2] + count[3]
+                  mean[2] = count[0] + count[3]
+                  mean[3] = count[0]
+                  for (i = 1; i <= 3; i++) {
+                      off = mean[i] / 4096 * 255 - want[i]
+                      if (off > 3 || off < -3) exit 1
+                  } }' || fail "$color in inks"
+done
+
 # What has no meaning is refused.
 while read -r text options; do
     # shellcheck disable=SC2086
@@ -188,7 +203,7 @@ refused_command "is for pictures" import builtin:vase --resize 5x5 -o "$work/x.c
 # The table: what it takes, and what it would take.
 "$PEL" import "$work/icon.ppm" -o "$work/x.c" >"$work/out" || fail "no table"
 for line in "      4608  bytes in flash: 48 x 48 pixels" "            with --compress: 1120" \
-    "            in others: rgb888 6912, xrgb8888 9216, rgb332 2304, gray4 1152, mono1 288, palette4 1216, palette8 3328"; do
+    "            in others: rgb888 6912, xrgb8888 9216, rgb332 2304, gray4 1152, mono1 288, inks2 576, palette4 1216, palette8 3328"; do
     grep -qxF "$line" "$work/out" || fail "no '$line': $(cat "$work/out")"
 done
 # 16 rows that differ, of 16 runs of 4 bytes each, and where 48 rows begin.

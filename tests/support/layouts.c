@@ -5,21 +5,46 @@
 #define LAYOUT(name) #name, &pel_##name
 
 const struct layout layouts[LAYOUT_COUNT] = {
-    {LAYOUT(rgb565_le), 16, false, false, {11, 5}, {5, 6}, {0, 5}, 0},
-    {LAYOUT(rgb565_be), 16, false, true, {11, 5}, {5, 6}, {0, 5}, 0},
-    {LAYOUT(bgr565_le), 16, false, false, {0, 5}, {5, 6}, {11, 5}, 0},
-    {LAYOUT(xrgb1555_le), 16, false, false, {10, 5}, {5, 5}, {0, 5}, 0x8000},
-    {LAYOUT(rgb888), 24, false, false, {16, 8}, {8, 8}, {0, 8}, 0},
-    {LAYOUT(bgr888), 24, false, false, {0, 8}, {8, 8}, {16, 8}, 0},
-    {LAYOUT(xrgb8888), 32, false, false, {16, 8}, {8, 8}, {0, 8}, 0xFF000000},
-    {LAYOUT(xbgr8888), 32, false, false, {0, 8}, {8, 8}, {16, 8}, 0xFF000000},
-    {LAYOUT(rgbx8888), 32, false, false, {24, 8}, {16, 8}, {8, 8}, 0xFF},
-    {LAYOUT(bgrx8888), 32, false, false, {8, 8}, {16, 8}, {24, 8}, 0xFF},
-    {LAYOUT(rgb332), 8, false, false, {5, 3}, {2, 3}, {0, 2}, 0},
-    {LAYOUT(gray8), 8, true, false, {0, 8}, {0, 8}, {0, 8}, 0},
-    {LAYOUT(gray4), 4, true, false, {0, 4}, {0, 4}, {0, 4}, 0},
-    {LAYOUT(mono1), 1, true, false, {0, 1}, {0, 1}, {0, 1}, 0},
-    {LAYOUT(mono1_pages), 1, true, false, {0, 1}, {0, 1}, {0, 1}, 0},
+    {LAYOUT(rgb565_le), 16, false, false, {11, 5}, {5, 6}, {0, 5}, 0, false},
+    {LAYOUT(rgb565_be), 16, false, true, {11, 5}, {5, 6}, {0, 5}, 0, false},
+    {LAYOUT(bgr565_le), 16, false, false, {0, 5}, {5, 6}, {11, 5}, 0, false},
+    {LAYOUT(xrgb1555_le),
+     16,
+     false,
+     false,
+     {10, 5},
+     {5, 5},
+     {0, 5},
+     0x8000,
+     false},
+    {LAYOUT(rgb888), 24, false, false, {16, 8}, {8, 8}, {0, 8}, 0, false},
+    {LAYOUT(bgr888), 24, false, false, {0, 8}, {8, 8}, {16, 8}, 0, false},
+    {LAYOUT(xrgb8888),
+     32,
+     false,
+     false,
+     {16, 8},
+     {8, 8},
+     {0, 8},
+     0xFF000000,
+     false},
+    {LAYOUT(xbgr8888),
+     32,
+     false,
+     false,
+     {0, 8},
+     {8, 8},
+     {16, 8},
+     0xFF000000,
+     false},
+    {LAYOUT(rgbx8888), 32, false, false, {24, 8}, {16, 8}, {8, 8}, 0xFF, false},
+    {LAYOUT(bgrx8888), 32, false, false, {8, 8}, {16, 8}, {24, 8}, 0xFF, false},
+    {LAYOUT(rgb332), 8, false, false, {5, 3}, {2, 3}, {0, 2}, 0, false},
+    {LAYOUT(gray8), 8, true, false, {0, 8}, {0, 8}, {0, 8}, 0, false},
+    {LAYOUT(gray4), 4, true, false, {0, 4}, {0, 4}, {0, 4}, 0, false},
+    {LAYOUT(mono1), 1, true, false, {0, 1}, {0, 1}, {0, 1}, 0, false},
+    {LAYOUT(mono1_pages), 1, true, false, {0, 1}, {0, 1}, {0, 1}, 0, false},
+    {LAYOUT(inks2), 2, false, false, {0, 0}, {0, 0}, {0, 0}, 0, true},
 };
 
 const struct layout *layout_of(const struct pel_format *format)
@@ -50,9 +75,33 @@ static uint32_t channel_out(const int field[2], uint32_t pixel)
     return v >> (n - 8);
 }
 
+static const pel_color inks[4] = {0xFFFFFFFF, 0xFF000000, 0xFFFF0000,
+                                  0xFFFFFF00};
+
+/* By the squares of all distances. */
+static uint32_t nearest_ink(const int32_t want[3])
+{
+    uint32_t best = 0;
+    int32_t least = INT32_MAX;
+    for (uint32_t i = 0; i < 4; i++) {
+        int32_t sum = 0;
+        for (int k = 0; k < 3; k++) {
+            const int32_t off = (int32_t)(inks[i] >> 8 * k & 255) - want[k];
+            sum += off * off;
+        }
+        if (sum >= least)
+            continue;
+        least = sum;
+        best = i;
+    }
+    return best;
+}
+
 uint32_t layout_pack(const struct layout *l, pel_color color)
 {
     uint32_t r = color >> 16 & 255, g = color >> 8 & 255, b = color & 255;
+    if (l->inks)
+        return nearest_ink((int32_t[]){(int32_t)b, (int32_t)g, (int32_t)r});
     if (l->gray)
         return channel_in(l->red, (77 * r + 150 * g + 29 * b + 128) / 256);
     return swapped(l, channel_in(l->red, r) | channel_in(l->green, g) |
@@ -61,6 +110,8 @@ uint32_t layout_pack(const struct layout *l, pel_color color)
 
 pel_color layout_unpack(const struct layout *l, uint32_t pixel)
 {
+    if (l->inks)
+        return inks[pixel];
     pixel = swapped(l, pixel);
     return UINT32_C(0xFF000000) | channel_out(l->red, pixel) << 16 |
            channel_out(l->green, pixel) << 8 | channel_out(l->blue, pixel);

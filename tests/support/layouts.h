@@ -13,9 +13,10 @@ struct layout {
     bool gray, swapped;            /* swapped: high byte first in memory */
     int red[2], green[2], blue[2]; /* lowest bit, bits */
     uint32_t unused;               /* X bits, written as ones */
+    bool inks;                     /* indices of four colors instead */
 };
 
-enum { LAYOUT_COUNT = 15 };
+enum { LAYOUT_COUNT = 16 };
 extern const struct layout layouts[LAYOUT_COUNT];
 
 const struct layout *layout_of(const struct pel_format *format);
