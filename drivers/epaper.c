@@ -1,0 +1,182 @@
+#include "epaper_chip.h"
+
+#include <string.h>
+
+enum { MOST_MS = 60000, POLL_MS = 10 };
+
+/* STALE: what the chip compares with is not what the glass shows. */
+enum { READY, STALE, ASLEEP };
+
+bool pel_epaper_busy(const struct pel_epaper *paper)
+{
+    return paper->busy(paper) == paper->chip->busy;
+}
+
+static enum pel_status wait(const struct pel_epaper *paper)
+{
+    for (int32_t ms = 0; ms < MOST_MS; ms += POLL_MS) {
+        enum pel_status status = paper->bus->pause(paper->bus, false, POLL_MS);
+        if (status != PEL_OK || !pel_epaper_busy(paper))
+            return status;
+    }
+    return PEL_ERROR_DEVICE;
+}
+
+/* Nothing, if something has failed before. None of the list is in flight in the
+ * end. */
+static enum pel_status send(const struct pel_epaper *paper,
+                            enum pel_status status, const uint8_t *list)
+{
+    const struct pel_bus *bus = paper->bus;
+    const int32_t n = PEL_EPAPER_FRAME(paper->width, paper->height);
+    const uint8_t *plane = paper->frame;
+    for (; *list && status == PEL_OK; list++) {
+        struct pel_bus_rows rows = {plane, n, 1, 0};
+        if (*list == PEL_EPAPER_WAIT) {
+            status = wait(paper);
+            continue;
+        }
+        if (*list == PEL_EPAPER_PLANE) {
+            plane += n;
+        } else {
+            status = bus->command(bus, list + 1, 1, NULL, 0);
+            rows.bytes = list + 2;
+            rows.length = *list - 1;
+            list += *list;
+        }
+        if (status == PEL_OK && rows.length)
+            status = bus->data(bus, &rows);
+    }
+    return status == PEL_OK && bus->wait ? bus->wait(bus) : status;
+}
+
+static const struct pel_epaper_kind *kind_of(const struct pel_epaper *paper)
+{
+    return &paper->chip->kind[paper->format->bits >> 1];
+}
+
+static enum pel_status start(struct pel_epaper *paper)
+{
+    uint8_t list[PEL_EPAPER_LIST];
+    enum pel_status status = paper->bus->pause(paper->bus, true, 2 * POLL_MS);
+    paper->chip->size(paper, list);
+    status = send(paper, status, kind_of(paper)->setup);
+    return send(paper, status, list);
+}
+
+/* Ready for pixels. The frame is what the glass shows while nothing was flushed
+ * since the last refresh; the chip compares the next picture with it. */
+static enum pel_status ready(struct pel_epaper *paper)
+{
+    enum pel_status status =
+        paper->state == ASLEEP ? start(paper) : wait(paper);
+    if (paper->state)
+        status = send(paper, status, kind_of(paper)->keep);
+    if (status == PEL_OK)
+        paper->state = READY;
+    return status;
+}
+
+/* A pixel at (x, y) of the display. */
+static void put(const struct pel_epaper *paper, int32_t x, int32_t y,
+                pel_color color)
+{
+    const int32_t width = paper->width, height = paper->height;
+    if (paper->rotation & 1) {
+        const int32_t before = x;
+        x = width - 1 - y;
+        y = before;
+    }
+    if (paper->rotation & 2) {
+        x = width - 1 - x;
+        y = height - 1 - y;
+    }
+    const int32_t row = (width + 7) >> 3;
+    const uint8_t mask = (uint8_t)(0x80u >> (x & 7));
+    uint8_t *byte = paper->frame + y * row + (x >> 3);
+    *byte |= mask;
+    if (color << 8 == 0)
+        *byte ^= mask;
+    if (paper->format->bits == 1)
+        return;
+    byte += row * height;
+    *byte |= mask;
+    if (color << 8 == 0 || color & 255)
+        *byte ^= mask;
+}
+
+static enum pel_status epaper_flush(const struct pel_display *display,
+                                    const struct pel_surface *surface)
+{
+    struct pel_epaper *paper = display->context;
+    const struct pel_rect *a = &surface->clip;
+    if (pel_rect_empty(a))
+        return PEL_OK;
+    if (surface->format->id != display->format->id)
+        return PEL_ERROR_FORMAT;
+    if ((a->x0 | a->y0) < 0 || a->x1 > display->width ||
+        a->y1 > display->height)
+        return PEL_ERROR_SIZE;
+    const enum pel_status status = paper->state ? ready(paper) : PEL_OK;
+    for (int32_t y = a->y0; y < a->y1 && status == PEL_OK; y++)
+        for (int32_t x = a->x0; x < a->x1; x++) {
+            pel_color color;
+            surface->format->load(surface, x, y, 1, &color);
+            put(paper, x, y, color);
+        }
+    return status;
+}
+
+static enum pel_status epaper_flip(const struct pel_display *display)
+{
+    struct pel_epaper *paper = display->context;
+    const uint32_t how = paper->refresh, color = paper->format->bits >> 1;
+    if (how > (uint32_t)PEL_EPAPER_PARTIAL >> color)
+        return PEL_ERROR_RANGE;
+    enum pel_status status = ready(paper);
+    status = send(paper, status, kind_of(paper)->show);
+    if (how && paper->waveform)
+        status = send(paper, status, paper->waveform);
+    status = send(paper, status, paper->chip->refresh[how]);
+    if (status == PEL_OK)
+        paper->state = STALE;
+    return status;
+}
+
+enum pel_status pel_epaper_init(struct pel_display *display,
+                                struct pel_epaper *paper)
+{
+    if (!display || !paper || !paper->chip || !paper->bus || !paper->busy ||
+        !paper->format || !paper->frame)
+        return PEL_ERROR_NULL;
+    const struct pel_epaper_chip *chip = paper->chip;
+    if (paper->format->bits > 2)
+        return PEL_ERROR_FORMAT;
+    if (paper->width - 1u >= chip->width || paper->height - 1u >= chip->height)
+        return PEL_ERROR_SIZE;
+    const size_t n = (size_t)PEL_EPAPER_FRAME(paper->width, paper->height);
+    memset(paper->frame, 0, n * paper->format->bits);
+    memset(paper->frame, 0xFF, n);
+    *display = (struct pel_display){.context = paper,
+                                    .width = paper->width,
+                                    .height = paper->height,
+                                    .format = paper->format,
+                                    .flush = epaper_flush,
+                                    .flip = epaper_flip};
+    if (paper->rotation & 1) {
+        display->width = paper->height;
+        display->height = paper->width;
+    }
+    paper->state = ASLEEP;
+    return ready(paper);
+}
+
+/* Whatever fails here, the next flush resets the chip. */
+enum pel_status pel_epaper_sleep(struct pel_epaper *paper)
+{
+    enum pel_status status = PEL_OK;
+    if (paper->state != ASLEEP)
+        status = send(paper, wait(paper), paper->chip->sleep);
+    paper->state = ASLEEP;
+    return status;
+}
