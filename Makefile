@@ -38,6 +38,7 @@ DRIVERS := $(call without_linux,$(wildcard drivers/*.c))
 EXAMPLE_ASSETS_badge := bold_30 mono_15 portrait
 EXAMPLE_ASSETS_gauge := digits_36
 EXAMPLE_ASSETS_globe := earth sphere
+EXAMPLE_ASSETS_kiosk := sans_17 sans_24 sans_40
 EXAMPLE_ASSETS_mesh := vase_small
 EXAMPLE_ASSETS_oled := fixed_6x13
 EXAMPLE_ASSETS_scope := sans_15

@@ -42,3 +42,15 @@ $(BUILD)/libpel_linux.a: $(LINUX_OBJECTS)
 	@echo '$(LINUX_PACKAGES)' >$(@:.a=.packages)
 
 -include $(LINUX_OBJECTS:.o=.d)
+
+# An example whose panel is this machine's screen, without a desktop.
+.PHONY: device
+device: $(BUILD)/device/$(or $(EXAMPLE),kiosk) ## an example on /dev/fb0 or a DRM device: EXAMPLE=kiosk
+	$<
+$(BUILD)/device/%: examples/%.c examples/linux.h $(BUILD)/libpel_linux.a \
+    $(BUILD)/libpel.a $(BUILD)/examples/%
+	@mkdir -p $(@D)
+	$(CC) $(PEL_CFLAGS) $(LINUX_FLAGS) -I$(BUILD)/examples $(CFLAGS) \
+	    '-DPANEL_HEADER="linux.h"' $(filter-out drivers/%,$(call \
+	    example_sources,$*)) $(BUILD)/libpel_linux.a $(BUILD)/libpel.a \
+	    $(LINUX_LIBS) -o $@

@@ -15,7 +15,11 @@
 #include "drivers/input.h"
 #include "ppm.h"
 
-static uint16_t panel_memory[320 * 240];
+#ifndef PANEL_WORDS
+#define PANEL_WORDS (320 * 240)
+#endif
+
+static uint16_t panel_memory[PANEL_WORDS];
 static struct pel_surface panel_glass;
 
 static struct {
@@ -76,11 +80,22 @@ static inline enum pel_status panel_open(struct pel_display *display,
                             sizeof panel_memory, &all);
 }
 
-/* What a user has done: here is none. */
+/* What a user has done; here is none, but an example may say what he would do.
+ * A frame is taken for 33 ms. */
 static inline bool panel_input(struct pel_input *event)
 {
+#ifdef PANEL_EVENTS
+    static const struct pel_input all[] = {PANEL_EVENTS};
+    static size_t next;
+    if (next == sizeof all / sizeof *all ||
+        all[next].time > 33 * (uint32_t)panel_notes.frames)
+        return false;
+    *event = all[next++];
+    return true;
+#else
     (void)event;
     return false;
+#endif
 }
 
 /* The notes, and what the panel shows, as PPM. */

@@ -8,57 +8,22 @@
 #include <sys/stat.h>
 
 #include "sim/cli/arguments.h"
+#include "sim/cli/bytes.h"
 #include "sim/cli/commands.h"
 #include "sim/demo/demo.h"
+#include "sim/demo/page.h"
 #include "sim/cli/message.h"
 #include "sim/cli/milliseconds.h"
 #include "sim/cli/output.h"
+#include "sim/cli/text_line.h"
 #include "sim/script/script.h"
 
 static const char about[] =
     "Draws the gallery into a directory: every demo and every script, as PPM "
-    "and PNG (BMP without libpng), with index.html.\v"
+    "and PNG (BMP without libpng), with index.html; and shows pictures that "
+    "are there already.\v"
     "Prints the milliseconds that the drawing of each picture took, the best "
     "of three where it is less than 50.";
-
-static const char head[] =
-    "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-    "<title>Pel: gallery</title>\n<style>\n"
-    "body { font: 16px/1.5 sans-serif; margin: 2em; color: #222; }\n"
-    "main { display: grid; gap: 2em; "
-    "grid-template-columns: repeat(auto-fill, minmax(20em, 1fr)); }\n"
-    "figure { margin: 0; }\n"
-    "h2 { font-size: 1em; margin: 0 0 0.3em; }\n"
-    "img { max-width: 100%; height: auto; border: 1px solid #ccc; }\n"
-    "figcaption { font-size: 0.9em; }\n"
-    "figcaption small { color: #666; }\n"
-    "</style>\n</head>\n<body>\n<h1>Pel: gallery</h1>\n"
-    "<p>A picture is a link to itself at full size. Times are those of the "
-    "drawing, the best of three where it takes less than 50 ms.</p>\n<main>\n";
-
-static void print_escaped(FILE *page, const char *text)
-{
-    for (; *text; text++)
-        fprintf(page, strchr("&<>\"", *text) ? "&#%d;" : "%c", *text);
-}
-
-static void print_figure(FILE *page, const struct demo *demo,
-                         const struct demo_result *result)
-{
-    const struct picture *p = &result->picture;
-    const char *ending = picture_best_ending();
-    fprintf(page,
-            "<figure>\n<h2>%s</h2>\n"
-            "<a href=\"%s%s\"><img src=\"%s%s\" width=\"%d\" height=\"%d\" "
-            "alt=\"%s\"></a>\n<figcaption>%s ",
-            demo->name, demo->name, ending, demo->name, ending, p->width,
-            p->height, demo->name, demo->caption);
-    print_escaped(page, result->note);
-    fprintf(page,
-            "<br>\n<small>%d x %d pixels, %.3f ms, "
-            "<a href=\"%s.ppm\">PPM</a></small></figcaption>\n</figure>\n",
-            p->width, p->height, result->milliseconds, demo->name);
-}
 
 /* The libraries that this build lacks, told on the page and on standard output.
  */
@@ -109,9 +74,17 @@ static const struct library {
     {NULL, NULL, NULL},
 };
 
+/* A script or a picture of the command line. */
+struct given {
+    const char *path;
+    char name[96]; /* of files, and on the page */
+    bool is_picture, is_shown;
+};
+
 struct gallery {
     const char *directory;
-    FILE *page;
+    struct given *given;
+    size_t count;
 };
 
 bool demo_draw(struct demo_result *result, const struct demo_size *size,
@@ -155,106 +128,223 @@ static bool save(const struct gallery *g, const char *name, const char *ending,
 
 /* The first run of a short drawing pays for cold caches and fresh pages: three
  * runs, and the time of the best. */
-static bool add_demo(const struct gallery *g, const struct demo *demo,
-                     const char *note)
+static bool draw_best(const struct demo *demo, struct demo_result *best)
 {
-    struct demo_result best = {.note = ""};
-    bool done = demo->draw(&best, demo->what);
-    for (int i = 1; done && i < 3 && best.milliseconds < 50; i++) {
+    bool done = demo->draw(best, demo->what);
+    for (int i = 1; done && i < 3 && best->milliseconds < 50; i++) {
         struct demo_result again = {.note = ""};
         done = demo->draw(&again, demo->what);
-        if (again.milliseconds < best.milliseconds)
-            best.milliseconds = again.milliseconds;
+        if (again.milliseconds < best->milliseconds)
+            best->milliseconds = again.milliseconds;
         picture_free(&again.picture);
     }
-    if (note)
-        snprintf(best.note, sizeof best.note, "%s", note);
-    if (done) {
-        message_print(stdout, "%-26s %5d x %-5d %10.3f ms", demo->name,
-                      best.picture.width, best.picture.height,
-                      best.milliseconds);
-        putchar('\n');
-        fflush(stdout);
-        print_figure(g->page, demo, &best);
-        done = save(g, demo->name, ".ppm", &best.picture) &&
-               save(g, demo->name, picture_best_ending(), &best.picture);
-    }
-    picture_free(&best.picture);
     return done;
 }
 
-static bool add_script(const struct gallery *g, const char *path)
+/* A script has its path, and its caption is text. */
+static bool add_demo(const struct gallery *g, FILE *page,
+                     const struct demo *demo, const char *script,
+                     const char *caption)
 {
-    char name[128];
+    struct demo_result result = {.note = ""};
+    bool done = draw_best(demo, &result);
+    if (done) {
+        if (caption)
+            snprintf(result.note, sizeof result.note, "%s", caption);
+        message_print(stdout, "%-26s %5d x %-5d %10.3f ms", demo->name,
+                      result.picture.width, result.picture.height,
+                      result.milliseconds);
+        putchar('\n');
+        fflush(stdout);
+        done = save(g, demo->name, ".ppm", &result.picture) &&
+               save(g, demo->name, picture_best_ending(), &result.picture) &&
+               page_figure(page, demo, &result, script);
+    }
+    picture_free(&result.picture);
+    return done;
+}
+
+static bool add_script(const struct gallery *g, FILE *page,
+                       const struct given *given)
+{
     struct script script;
-    const struct demo demo = {name, "", demo_draw_script, &script};
-    if (!script_load(&script, path, NULL))
+    const struct demo demo = {given->name, "", NULL, demo_draw_script, &script};
+    if (!script_load(&script, given->path, NULL))
         return false;
-    snprintf(name, sizeof name, "%s", basename(path));
-    char *dot = strrchr(name, '.');
-    if (dot && dot > name)
-        *dot = '\0';
-    for (char *c = name; *c; c++) /* it goes into HTML, and names files */
-        if (!isalnum((unsigned char)*c) && !strchr("._-", *c))
-            *c = '_';
-    const bool done = add_demo(g, &demo, script.caption);
+    const bool done = add_demo(g, page, &demo, given->path, script.caption);
     script_free(&script);
     return done;
 }
 
-static bool add_all(const struct gallery *g, char **scripts)
+/* Copies the file; its head tells the size of the picture. */
+static bool copy_picture(const struct gallery *g, const struct given *given,
+                         const uint8_t *bytes, size_t size)
 {
-    static const struct demo *const demos[] = {demo_formats, demo_rules,
-                                               demo_figures, demo_meshes};
-    bool done = true;
-    for (; done && *scripts; scripts++)
-        done = add_script(g, *scripts);
-    for (size_t i = 0; i < sizeof demos / sizeof *demos; i++)
-        for (const struct demo *demo = demos[i]; done && demo->name; demo++)
-            done = add_demo(g, demo, NULL);
+    struct output output;
+    char *path;
+    if (size < 24 || memcmp(bytes, "\x89PNG", 4) != 0)
+        return message_error_at(given->path, 0, "is no PNG: expected one");
+    if (asprintf(&path, "%s/%s.png", g->directory, given->name) < 0)
+        return message_error("out of memory");
+    bool done = output_open(&output, path);
+    if (done) {
+        fwrite(bytes, 1, size, output.stream);
+        done = output_commit(&output);
+    }
+    free(path);
     return done;
 }
 
-static bool write_page(struct output *output, const char *directory,
-                       char **scripts)
+/* What a program has drawn, as it is. */
+static bool add_picture(const struct gallery *g, FILE *page,
+                        const struct given *given)
 {
-    const struct gallery gallery = {directory, output->stream};
-    fputs(head, output->stream);
-    if (!add_all(&gallery, scripts)) {
-        output_abandon(output);
-        return false;
+    size_t size;
+    char *bytes = file_read(given->path, &size);
+    if (!bytes)
+        return file_refuse(given->path);
+    const uint8_t *head = (const uint8_t *)bytes;
+    const bool done = copy_picture(g, given, head, size);
+    if (done)
+        page_product(page, given->name, (int)bytes_big(head + 16, 4),
+                     (int)bytes_big(head + 20, 4));
+    free(bytes);
+    return done;
+}
+
+static bool add_given(const struct gallery *g, FILE *page, struct given *given)
+{
+    given->is_shown = true;
+    return given->is_picture ? add_picture(g, page, given)
+                             : add_script(g, page, given);
+}
+
+static bool add(const struct gallery *g, FILE *page, const char *name)
+{
+    static const struct demo *const demos[] = {demo_formats, demo_rules,
+                                               demo_figures, demo_meshes};
+    for (size_t i = 0; i < g->count; i++)
+        if (strcmp(g->given[i].name, name) == 0)
+            return add_given(g, page, &g->given[i]);
+    for (size_t i = 0; i < sizeof demos / sizeof *demos; i++)
+        for (const struct demo *demo = demos[i]; demo->name; demo++)
+            if (strcmp(demo->name, name) == 0)
+                return add_demo(g, page, demo, NULL, NULL);
+    return true;
+}
+
+/* Names in a section are separated by blanks. */
+static bool add_section(const struct gallery *g, FILE *page,
+                        const struct page_section *section)
+{
+    char name[96];
+    bool done = true;
+    page_section_begin(page, section);
+    for (const char *at = section->names; done && *at;) {
+        const size_t n = strcspn(at, " ");
+        snprintf(name, sizeof name, "%.*s", (int)n, at);
+        done = add(g, page, name);
+        at += n + strspn(at + n, " ");
     }
-    fputs("</main>\n", output->stream);
+    page_section_end(page);
+    return done;
+}
+
+/* Scripts and pictures that no section names. */
+static bool add_rest(const struct gallery *g, FILE *page)
+{
+    static const struct page_section rest = {"more", "More", "", ""};
+    bool done = true, begun = false;
+    for (size_t i = 0; done && i < g->count; i++) {
+        if (g->given[i].is_shown)
+            continue;
+        if (!begun)
+            page_section_begin(page, &rest);
+        begun = true;
+        done = add_given(g, page, &g->given[i]);
+    }
+    if (begun)
+        page_section_end(page);
+    return done;
+}
+
+static void add_missing(FILE *page)
+{
+    fputs("<footer>\n", page);
     for (const struct library *l = missing; l->name; l++) {
         printf("built without %s (package %s): %s\n", l->name, l->package,
                l->adds);
-        fprintf(output->stream, "<p>Built without %s (package %s): %s.</p>\n",
-                l->name, l->package, l->adds);
+        fprintf(page, "<p>Built without %s (package %s): %s.</p>\n", l->name,
+                l->package, l->adds);
     }
-    fputs("</body>\n</html>\n", output->stream);
-    return output_commit(output);
+    fputs("</footer>\n", page);
+}
+
+/* The first page ends with what no section names. */
+static bool write_page(const struct gallery *g, int number)
+{
+    struct output output;
+    char *path;
+    if (asprintf(&path, "%s/%s", g->directory, page_files[number]) < 0)
+        return message_error("out of memory");
+    bool done = output_open(&output, path);
+    if (done) {
+        page_begin(output.stream, number);
+        for (const struct page_section *s = page_sections[number];
+             done && s->title; s++)
+            done = add_section(g, output.stream, s);
+        if (done && number == 0)
+            done = add_rest(g, output.stream);
+        if (number == 0)
+            add_missing(output.stream);
+        page_end(output.stream);
+        if (done)
+            done = output_commit(&output);
+        else
+            output_abandon(&output);
+    }
+    free(path);
+    return done;
+}
+
+/* A name that goes into HTML, and names files. */
+static struct given given_of(const char *path)
+{
+    struct given given = {.path = path};
+    given.is_picture = path_has_ending(path, " .png ");
+    snprintf(given.name, sizeof given.name, "%s", basename(path));
+    char *dot = strrchr(given.name, '.');
+    if (dot && dot > given.name)
+        *dot = '\0';
+    for (char *c = given.name; *c; c++)
+        if (!isalnum((unsigned char)*c) && !strchr("._-", *c))
+            *c = '_';
+    return given;
 }
 
 int command_demo(int argc, char **argv)
 {
-    struct output output;
-    char *path;
-    const struct command_line line = {.arguments = "DIRECTORY [SCRIPT...]",
+    const struct command_line line = {.arguments =
+                                          "DIRECTORY [SCRIPT|PICTURE...]",
                                       .least = 1,
                                       .most = INT_MAX,
                                       .about = about};
     char **arguments = arguments_parse(&line, argc, argv);
-    const char *directory = *arguments;
-    if (mkdir(directory, 0777) != 0 && errno != EEXIST) {
-        message_error_at(directory, 0, "cannot be made: %s", strerror(errno));
+    struct gallery g = {.directory = *arguments++};
+    if (mkdir(g.directory, 0777) != 0 && errno != EEXIST) {
+        message_error_at(g.directory, 0, "cannot be made: %s", strerror(errno));
         return STATUS_ERROR;
     }
-    if (asprintf(&path, "%s/index.html", directory) < 0) {
+    g.given = calloc((size_t)argc, sizeof *g.given);
+    if (!g.given) {
         message_error("out of memory");
         return STATUS_ERROR;
     }
-    const bool done = output_open(&output, path) &&
-                      write_page(&output, directory, arguments + 1);
-    free(path);
+    for (; *arguments; arguments++)
+        g.given[g.count++] = given_of(*arguments);
+    bool done = true;
+    for (int i = 0; done && i < PAGES; i++)
+        done = write_page(&g, i);
+    free(g.given);
     return done ? STATUS_OK : STATUS_ERROR;
 }

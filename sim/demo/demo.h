@@ -7,12 +7,14 @@
 struct demo_result {
     struct picture picture; /* made by draw, freed by its caller */
     double milliseconds;    /* of the drawing alone, without loading */
-    char note[2048]; /* text, added to the caption: which mesh was taken */
+    char note[2048];    /* text, added to the caption: which mesh was taken */
+    char command[1024]; /* that makes the picture; "": the demo's */
 };
 
 struct demo {
     const char *name;    /* of the files, without ending; NULL ends an array */
     const char *caption; /* one or two sentences of HTML text */
+    const char *command; /* that makes the picture, or NULL */
     /* False, with a message on standard error, when it failed. */
     bool (*draw)(struct demo_result *result, const void *what);
     const void *what;

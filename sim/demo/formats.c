@@ -65,6 +65,6 @@ static bool draw_formats(struct demo_result *result, const void *what)
 const struct demo demo_formats[] = {
     {"formats",
      "Gouraud triangles and translucent discs, drawn in every pixel format.",
-     draw_formats, NULL},
-    {NULL, NULL, NULL, NULL},
+     NULL, draw_formats, NULL},
+    {NULL, NULL, NULL, NULL, NULL},
 };

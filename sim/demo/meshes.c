@@ -2,7 +2,10 @@
  * lights. The mesh is the duck of assimp-testmodels, or the built-in vase where
  * that is missing. */
 #include <stdio.h>
+#include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "core/format/formats.h"
@@ -86,18 +89,17 @@ static bool scale_uv(struct model *model, struct mesh *mesh,
 
 /* The mesh with its own texture, and with a board in place of none; the note
  * says which they are. */
-static bool load(struct model *model, enum system system,
-                 struct demo_result *result)
+static bool load(struct model *model, enum system system, char *path,
+                 size_t size, struct demo_result *result)
 {
-    char path[4096];
     struct mesh mesh;
     const struct model_source source = {.path = path};
     const char *models = getenv("PEL_MODELS");
-    snprintf(path, sizeof(path), "%s/%s", models ? models : MODELS, DUCK);
+    snprintf(path, size, "%s/%s", models ? models : MODELS, DUCK);
     const bool is_there = access(path, R_OK) == 0;
     const bool is_duck = is_there && mesh_files_supported();
     if (!is_duck)
-        snprintf(path, sizeof(path), "%s", MESH_BUILTIN);
+        snprintf(path, size, "%s", MESH_BUILTIN);
     if (!mesh_load(&mesh, path))
         return false;
     const bool done = make(model, &mesh, &source, system != PAINTED) &&
@@ -130,7 +132,8 @@ static bool draw_scene(struct canvas *canvas, const void *context)
 }
 
 /* Three lights around the mesh, its size away from its middle: warm from the
- * right and above, blue from the left, red from behind and above. */
+ * right and above, blue from the left, red from behind and above. Rounded, so
+ * that they can be told. */
 static void set_lights(struct scene_settings *s, const struct model *model,
                        int only)
 {
@@ -148,8 +151,9 @@ static void set_lights(struct scene_settings *s, const struct model *model,
         struct scene_light *light = &s->light[s->lights++];
         *light = around[i];
         for (int k = 0; k < 3; k++)
-            light->at[k] =
-                (model->low[k] + model->high[k]) / 2 + size * around[i].at[k];
+            light->at[k] = rint(1000 * ((model->low[k] + model->high[k]) / 2 +
+                                        size * around[i].at[k])) /
+                           1000;
     }
 }
 
@@ -174,14 +178,73 @@ static struct scene_settings settings_of(const struct look *look,
     return s;
 }
 
+static void tell(struct demo_result *result, const char *format, ...)
+{
+    const size_t n = strlen(result->command);
+    va_list values;
+    va_start(values, format);
+    vsnprintf(result->command + n, sizeof result->command - n, format, values);
+    va_end(values);
+}
+
+static void tell_light(struct demo_result *result, const struct look *look,
+                       const struct scene_settings *s)
+{
+    static const struct {
+        unsigned terms;
+        const char *name;
+    } parts[] = {{SCENE_AMBIENT, "ambient"},
+                 {SCENE_DIFFUSE, "diffuse"},
+                 {SCENE_SPECULAR, "specular"}};
+    if (look->lit == SCENE_UNLIT) {
+        tell(result, " --unlit");
+        return;
+    }
+    tell(result, " --ka %g --ks %g --shininess %d", s->ambient, s->specular,
+         s->shininess);
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
+        if (look->terms == parts[i].terms)
+            tell(result, " --terms %s", parts[i].name);
+    for (int i = 0; i < s->lights; i++) {
+        const struct scene_light *l = &s->light[i];
+        tell(result, " --light %.10g,%.10g,%.10g:%g,%g,%g", l->at[0], l->at[1],
+             l->at[2], l->color[0], l->color[1], l->color[2]);
+    }
+}
+
+/* The command that draws the same; of TEXTURED, whose texels have a rule of
+ * their own, and of a board, which no file has, there is none. */
+static void tell_command(struct demo_result *result, const struct look *look,
+                         const struct scene_settings *s, const char *path)
+{
+    static const char *const shades[] = {"flat", "gouraud", "phong"};
+    static const char *const textures[] = {"none", "nearest", "bilinear"};
+    static const char *const mappings[] = {"vertices", "affine", "subdivided",
+                                           "perspective"};
+    if (look->system == TEXTURED || strstr(result->note, "generated board"))
+        return;
+    tell(result, "pel render %s --size %dx%d --shade %s --texture %s", path,
+         s->camera.width, s->camera.height, shades[look->shade],
+         textures[look->texture]);
+    if (look->texture != SCENE_TEXTURE_NONE)
+        tell(result, " --mapping %s", mappings[look->mapping]);
+    if (look->system != LIT)
+        return;
+    tell(result, " --background '#%06lx'",
+         (unsigned long)(s->camera.background & 0xFFFFFF));
+    tell_light(result, look, s);
+}
+
 static bool draw(struct demo_result *result, const void *what)
 {
+    char path[4096];
     const struct look *look = what;
     struct model model;
     struct scene scene;
-    if (!load(&model, look->system, result))
+    if (!load(&model, look->system, path, sizeof path, result))
         return false;
     const struct scene_settings settings = settings_of(look, &model);
+    tell_command(result, look, &settings, path);
     const struct drawing drawing = {&scene, &settings};
     const struct demo_size size = {&pel_xrgb8888, settings.camera.width,
                                    settings.camera.height};
@@ -193,7 +256,7 @@ static bool draw(struct demo_result *result, const void *what)
 }
 
 #define LOOK(system, shade, texture, mapping, lit, terms, light)             \
-    draw, &(const struct look)                                               \
+    NULL, draw, &(const struct look)                                         \
     {                                                                        \
         system, SCENE_##shade, SCENE_TEXTURE_##texture, SCENE_MAP_##mapping, \
             SCENE_##lit, terms, light                                        \
@@ -241,5 +304,5 @@ const struct demo demo_meshes[] = {
      LOOK(LIT, GOURAUD, NONE, VERTICES, LIT, SCENE_ALL_TERMS, 0)},
     {"lighting-phong-plain", "Phong without the texture.",
      LOOK(LIT, PHONG, NONE, PERSPECTIVE, LIT, SCENE_ALL_TERMS, 0)},
-    {NULL, NULL, NULL, NULL},
+    {NULL, NULL, NULL, NULL, NULL},
 };

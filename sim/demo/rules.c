@@ -241,11 +241,11 @@ const struct demo demo_rules[] = {
      "The fill rule, y downwards: a pixel belongs to a triangle when its "
      "centre (dot) is inside; a centre on an edge belongs to the triangle of "
      "which that edge is a <b>top</b> or a <b>left</b> one.",
-     draw_sheet, &down},
+     NULL, draw_sheet, &down},
     {"rules-bottom-left",
      "The same triangles on a surface with a negative stride, so that y grows "
      "upwards: now centres on a <b>bottom</b> or a <b>left</b> edge belong to "
      "the triangle.",
-     draw_sheet, &up},
-    {NULL, NULL, NULL, NULL},
+     NULL, draw_sheet, &up},
+    {NULL, NULL, NULL, NULL, NULL},
 };

@@ -8,8 +8,12 @@ set -u
 odd="$work/<i>\"&.pel"
 printf 'canvas 9 8 xrgb8888\nclear #103050\n' >"$odd"
 PEL_MODELS=$work "$PEL" demo "$work/demo" "$odd" sim/scenes/meshes.pel \
-    >"$work/out" || fail "no gallery"
-grep -q "<i>" "$work/demo/index.html" && fail "a name is HTML"
+    docs/pictures/watch.png >"$work/out" || fail "no gallery"
+cat "$work/demo/index.html" "$work/demo/lighting.html" >"$work/pages"
+grep -q "<i>" "$work/pages" && fail "a name is HTML"
+cmp docs/pictures/watch.png "$work/demo/watch.png" || fail "another watch"
+grep -q '<img src="watch.png" width="240" height="240"' "$work/pages" ||
+    fail "no watch"
 names='_i___ meshes formats rules-top-left rules-bottom-left figures figures-flat
 figures-corners figures-rings figures-sectors duck-flat duck-gouraud
 texture-flat texture-nearest texture-bilinear lighting-texture-vertices
@@ -25,15 +29,39 @@ for name in $names; do
         fail "no time of $name"
     [ -s "$work/demo/$name.ppm" ] || fail "no $name.ppm"
     grep -qE "<a href=\"$name.(png|bmp)\"><img src=\"$name" \
-        "$work/demo/index.html" || fail "$name is no link to itself"
-    grep -qF "\"$name.ppm\"" "$work/demo/index.html" || fail "no $name shown"
+        "$work/pages" || fail "$name is no link to itself"
+    grep -qF "\"$name.ppm\"" "$work/pages" || fail "no $name shown"
     sum=$(cksum <"$work/demo/$name.ppm")
     grep -qxF "$sum" "$work/sums" 2>/dev/null && fail "$name: shown twice"
     echo "$sum" >>"$work/sums"
 done
-[ "$(grep -c ' ms$' "$work/out")" = "$(echo "$names" | wc -w)" ] ||
+[ "$(grep ' ms$' "$work/out" | cut -d ' ' -f 1 | sort -u | wc -l)" = "$(echo "$names" | wc -w)" ] ||
     fail "other pictures: $(cat "$work/out")"
-[ "$(grep -c 'assimp-testmodels is missing' "$work/demo/index.html")" = 23 ] ||
+[ "$(grep -c 'assimp-testmodels is missing' "$work/pages")" = 24 ] ||
     fail "does not say what is missing"
-[ "$(grep -c 'texture is a generated board' "$work/demo/index.html")" = 21 ] ||
+[ "$(grep -c 'texture is a generated board' "$work/pages")" = 22 ] ||
     fail "does not say whose texture it is"
+
+# A command beside a picture draws it.
+"$PEL" demo "$work/full" >"$work/out" || fail "no gallery without a script"
+commands=0
+for page in index lighting; do
+    sed -n -e 's/^.*<img src="\([^"]*\)\.[a-z]*".*/name \1/p' \
+        -e 's/.*<pre>\(pel render [^<]*\)<.*/\1/p' "$work/full/$page.html" \
+        >"$work/commands"
+    while read -r word rest; do
+        case $word in
+        name) name=$rest ;;
+        pel)
+            eval "\"\$PEL\" $rest -o \"\$work/again.ppm\"" &&
+                cmp "$work/full/$name.ppm" "$work/again.ppm" ||
+                fail "$name is not what its command draws: pel $rest"
+            commands=$((commands + 1))
+            ;;
+        esac
+    done <"$work/commands"
+done
+if [ -e /usr/share/assimp/models/Collada/duck.dae ] &&
+    ! grep -q 'Built without assimp' "$work/full/index.html"; then
+    [ $commands = 21 ] || fail "$commands commands of pel render, not 21"
+fi

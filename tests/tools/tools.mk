@@ -59,7 +59,7 @@ reference: ## the headers as HTML, by doxygen: build/reference
 	@echo "the reference: $(BUILD)/reference/index.html"
 
 # The pictures of docs, of programs and of the C blocks of the pages.
-PICTURE_PROGRAMS = $(patsubst %,$(BUILD)/examples/%,$(PRODUCTS) mesh)
+PICTURE_PROGRAMS = $(patsubst %,$(BUILD)/examples/%,$(PRODUCTS) kiosk mesh)
 .PHONY: pictures check-pictures
 pictures check-pictures: $(BUILD)/examples/fixed_10x20.c $(BUILD)/pel $(BUILD)/libpel.a $(PICTURE_PROGRAMS)
 pictures: ## write docs/pictures anew, those that differ

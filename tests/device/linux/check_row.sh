@@ -70,6 +70,7 @@ draw() { # SCENE FORMAT SIZE
 # reference's.
 compare() { # NAME SCENE FORMAT WIDTH HEIGHT DAC_BITS
     source=$share/scenes/$2.pel
+    [ -f "$source" ] || source=$share/$2.pel
     [ -f "$source" ] || source=$share/reference.pel
     width=$4 height=$5
     case $2 in reference_*)
@@ -152,11 +153,15 @@ do
     cp "$asset" "$share/scenes/"
 done
 for program in pel pel_no_restore pel_no_draw fb_mode console_state faults \
-    frames touch_device pel_gpiod2 faults_gpiod2; do
+    frames touch_device pel_gpiod2 faults_gpiod2 kiosk; do
     ln "$build/guest/$program" "$share/$program" 2> /dev/null ||
         cp "$build/guest/$program" "$share/$program"
 done
 cp "$cache/panel_mock.ko" "$share/"
+# The kiosk's picture in the middle of 640 x 480 pixels of its color.
+"$build/kiosk" | LC_ALL=C sed '1,6{/^# /d}' > "$share/kiosk.ppm"
+printf '%s\n' 'canvas 640 480 xrgb8888' 'clear #f2e8dc' \
+    'image 80 80 kiosk.ppm' > "$share/kiosk.pel"
 echo "$row" > "$share/row"
 # tty1 is the controlling terminal, standard input and output the serial line.
 cat > "$share/run.sh" << 'END'

@@ -159,8 +159,8 @@ touch_screen() {
     wait $touch_pid || fail "touch_device: status $?"
     event=$(told | sed -n '1s/ here//p')
     expect "touch" "$event here" "touch 0 at 100 50 down" \
-        "touch 1 at 900 250 down" "touch 0 at 200 50 again" \
-        "touch 0 at 200 50 up" "touch 1 at 900 250 up" "$event gone"
+        "touch 1 at 750 250 down" "touch 0 at 200 50 again" \
+        "touch 0 at 200 50 up" "touch 1 at 750 250 up" "$event gone"
 }
 
 # The outside pulls lines: 0 closes a contact to ground.
@@ -372,4 +372,23 @@ view_by_hand() { # DEVICE
         fail "a view turned by hand: status $status: $(cat $log)"
     fi
     cd /mnt || exit 2
+}
+
+# Keys and a finger choose in the kiosk of examples/.
+kiosk() { # DEVICE
+    name=$row-kiosk-${1%%:*}
+    export FRAMEBUFFER="$1"
+    start /mnt/kiosk
+    unset FRAMEBUFFER
+    wait_drawn || fail "$name: $(cat $log)"
+    press right
+    /mnt/touch_device
+    told="$name kiosk xrgb8888 $width $height 8"
+    echo "$told" >> /mnt/manifest
+    dump_expected "$name" picture "$told"
+    press esc
+    wait $pid
+    status=$?
+    [ $status = 0 ] && pass "the kiosk on $1" ||
+        fail "$name: status $status: $(cat $log)"
 }

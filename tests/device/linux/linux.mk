@@ -16,10 +16,10 @@ LINUX_ROWS := $(shell sed -n 's/^\([a-z0-9_]*\)|.*/\1/p' $(LINUX_HERE)/rows.txt)
 LINUX_JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 
 LINUX_TOOLS := $(addprefix $(LINUX_CHECK)/, layout panel_bus console_reset \
-               input_devices panel_check vm screen_check reference)
+               input_devices panel_check vm screen_check reference kiosk)
 LINUX_GUEST := $(addprefix $(LINUX_CHECK)/guest/, pel pel_no_restore \
                pel_no_draw fb_mode console_state faults frames \
-               touch_device pel_gpiod2 faults_gpiod2)
+               touch_device pel_gpiod2 faults_gpiod2 kiosk)
 LINUX_STATIC := $(LINUX_CHECK)/static
 LINUX_CFLAGS = -std=gnu99 $(WARNINGS) $(WERROR) -O2 -I. -Iinclude
 # The linker warns of getgrgid in a static program: the guest has its files.
@@ -72,7 +72,7 @@ $(LINUX_CHECK)/panel_check: $(LINUX_HERE)/panel_check.c \
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $^ -lcmocka -o $@
 
-$(filter-out %/layout %/panel_bus %/console_reset %/input_devices %/panel_check,$(LINUX_TOOLS)): $(LINUX_CHECK)/%: $(LINUX_HERE)/%.c
+$(filter-out %/layout %/panel_bus %/console_reset %/input_devices %/panel_check %/kiosk,$(LINUX_TOOLS)): $(LINUX_CHECK)/%: $(LINUX_HERE)/%.c
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $< -o $@
 
@@ -120,6 +120,18 @@ $(LINUX_CHECK)/guest/faults_gpiod2: $(LINUX_GPIOD2) $(LINUX_HERE)/faults.c \
 	    -I$(LINUX_HERE)/gpiod2 $(LINUX_WRAP_FAULTS) $(filter %.c,$^) \
 	    $(filter-out %/gpio_v1.o %/gpio.o,$(LINUX_STATIC_OBJECTS)) \
 	    $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -o $@
+
+# The kiosk of examples/, and what it shows where the same is done to it.
+KIOSK_SOURCES = $(filter-out drivers/%,$(call example_sources,kiosk))
+$(LINUX_CHECK)/guest/kiosk: linux-static $(BUILD)/examples/kiosk examples/linux.h
+	@mkdir -p $(@D)
+	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) $(LINUX_STATIC_FLAGS) \
+	    -I$(BUILD)/examples '-DPANEL_HEADER="linux.h"' $(KIOSK_SOURCES) \
+	    $(LINUX_STATIC_OBJECTS) $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -o $@
+$(LINUX_CHECK)/kiosk: $(LINUX_HERE)/kiosk_events.h $(BUILD)/examples/kiosk
+	@mkdir -p $(@D)
+	@$(CC) $(LINUX_CFLAGS) -I$(BUILD)/examples -include $< $(KIOSK_SOURCES) \
+	    drivers/dirty.c $(BUILD)/libpel.a -o $@
 
 $(LINUX_CHECK)/guest/frames: $(LINUX_HERE)/frames.c linux-static
 	@mkdir -p $(@D)

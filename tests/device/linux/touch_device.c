@@ -110,7 +110,7 @@ int main(void)
         {EV_SYN, SYN_REPORT, 0},
         {EV_ABS, ABS_MT_SLOT, 1},
         {EV_ABS, ABS_MT_TRACKING_ID, 8},
-        {EV_ABS, ABS_MT_POSITION_X, 9000},
+        {EV_ABS, ABS_MT_POSITION_X, 7500},
         {EV_ABS, ABS_MT_POSITION_Y, 5000},
         {EV_SYN, SYN_REPORT, 0},
         {EV_ABS, ABS_MT_SLOT, 0},

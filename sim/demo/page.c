@@ -1,0 +1,243 @@
+#include "sim/demo/page.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/cli/text_line.h"
+#include "sim/image/picture.h"
+
+const char *const page_files[PAGES] = {"index.html", "lighting.html"};
+
+static const struct page_section first[] = {
+    {"products", "Products",
+     "Programs of at most 150 lines, in <code>examples/</code>: to look at and "
+     "to copy. What they take of a Cortex-M0+ and a Cortex-M4 stands in "
+     "<code>docs/PRODUCTS.md</code>.",
+     "watch thermostat scope globe badge kiosk game gauge"},
+    {"shapes", "Shapes",
+     "Whole pixels by an exact rule, or smooth edges by the exact area.",
+     "cover smooth shapes circles polygons lines rules-top-left "
+     "rules-bottom-left"},
+    {"paints", "Paints", "Any paint on any shape, opaque or seen through.",
+     "gradients wheel dither glass textures figures figures-flat "
+     "figures-corners figures-rings figures-sectors"},
+    {"text", "Text, pictures, formats", "", "text scroll formats"},
+    {"meshes", "3-D",
+     "Flat, Gouraud, textures, Phong. <a href=\"lighting.html\">Light term by "
+     "term</a> has a page of its own.",
+     "duck-flat duck-gouraud texture-nearest texture-bilinear lighting-phong "
+     "meshes vase"},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct page_section second[] = {
+    {"vertices", "Light at the vertices",
+     "Gouraud: colours are interpolated over each triangle.",
+     "lighting-gouraud lighting-gouraud-ambient lighting-gouraud-diffuse "
+     "lighting-gouraud-specular lighting-gouraud-light1 "
+     "lighting-gouraud-light2 lighting-gouraud-light3"},
+    {"pixels", "Light at the pixels",
+     "Phong: normals are interpolated, and every pixel is lit.",
+     "lighting-phong lighting-phong-ambient lighting-phong-diffuse "
+     "lighting-phong-specular lighting-phong-light1 lighting-phong-light2 "
+     "lighting-phong-light3"},
+    {"parts", "Texture and light apart", "",
+     "lighting-texture-vertices lighting-texture-pixels "
+     "lighting-gouraud-plain lighting-phong-plain texture-flat"},
+    {NULL, NULL, NULL, NULL},
+};
+
+const struct page_section *const page_sections[PAGES] = {first, second};
+
+#define BOARD(name)                              \
+    "make board EXAMPLE=" name " BOARD=m0plus\n" \
+    "make window EXAMPLE=" name
+static const struct product {
+    const char *name, *title, *caption, *commands;
+} products[] = {
+    {"watch", "Watch",
+     "240 x 240, two bands of 20 lines; a second redraws what has moved.",
+     BOARD("watch")},
+    {"thermostat", "Thermostat",
+     "320 x 240: digits of a TrueType font, icons, a slider, gradients.",
+     BOARD("thermostat")},
+    {"scope", "Scope",
+     "320 x 240: two traces over a grid that scrolls by moving what is there.",
+     BOARD("scope")},
+    {"globe", "Globe",
+     "240 x 240: a textured mesh, lit, that turns in 20 KB of RAM.",
+     BOARD("globe")},
+    {"badge", "Badge",
+     "296 x 128 in 1 bit, for e-paper: a dithered portrait, wrapped text.",
+     BOARD("badge")},
+    {"kiosk", "Kiosk",
+     "A coffee machine on a Linux device without a desktop, by touch and keys.",
+     "make device EXAMPLE=kiosk\nmake window EXAMPLE=kiosk"},
+    {"vase", "Vase", "240 x 320: 220 triangles, lit, a line at a time in 8 KB.",
+     "make board EXAMPLE=mesh BOARD=m0plus"},
+    {"game", "Game",
+     "240 x 240: tiles that scroll, twenty sprites, one turned and larger.",
+     BOARD("game")},
+    {"gauge", "Gauge",
+     "240 x 240: a needle over a dithered gradient, in two bands of 8 lines.",
+     BOARD("gauge")},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const char head[] =
+    "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+    "<meta name=\"viewport\" content=\"width=device-width\">\n"
+    "<title>Pel: gallery</title>\n<style>\n"
+    ":root { color-scheme: light dark; --back: #f5f6f8; --card: #fff; "
+    "--ink: #1c2027; --soft: #616a78; --line: #dfe3e9; --link: #0b62c4; }\n"
+    "@media (prefers-color-scheme: dark) { :root { --back: #14171c; "
+    "--card: #1e232b; --ink: #e8ebf0; --soft: #9aa5b4; --line: #303742; "
+    "--link: #7db8ff; } }\n"
+    "* { box-sizing: border-box; }\n"
+    "body { margin: 0; background: var(--back); color: var(--ink); "
+    "font: 16px/1.5 system-ui, sans-serif; }\n"
+    "a { color: var(--link); }\n"
+    "header, section, footer { max-width: 1360px; margin: 0 auto; "
+    "padding: 0 max(1rem, 2vw); }\n"
+    "header { padding-top: 2rem; }\n"
+    "h1 { font-size: 2rem; line-height: 1.2; margin: 0; }\n"
+    "h2 { font-size: 1.4rem; margin: 2.5rem 0 0; }\n"
+    "h3 { font-size: 1rem; margin: 0; }\n"
+    "p { margin: .4rem 0 0; max-width: 46rem; color: var(--soft); }\n"
+    "nav { display: flex; flex-wrap: wrap; gap: .5rem; margin-top: 1rem; }\n"
+    "nav a { padding: .25rem .8rem; border: 1px solid var(--line); "
+    "border-radius: 1rem; background: var(--card); text-decoration: none; }\n"
+    ".grid { display: grid; gap: 1rem; margin-top: 1rem; "
+    "grid-template-columns: "
+    "repeat(auto-fill, minmax(min(100%, 19rem), 1fr)); }\n"
+    "figure { margin: 0; background: var(--card); border-radius: 10px; "
+    "border: 1px solid var(--line); overflow: hidden; }\n"
+    "figure > a { display: block; background: var(--line); }\n"
+    "img { display: block; width: 100%; height: auto; max-height: 20rem; "
+    "object-fit: contain; }\n"
+    ".product { display: flex; flex-direction: column; height: 100%; }\n"
+    ".product > a { display: flex; align-items: center; height: 16rem; "
+    "padding: 1rem; background: #0b0d11; }\n"
+    ".product img { width: auto; max-width: 100%; max-height: 100%; "
+    "margin: auto; }\n"
+    "figcaption { padding: .8rem 1rem 1rem; font-size: .9rem; }\n"
+    "figcaption div, summary, pre { color: var(--soft); font-size: .8rem; "
+    "margin: .5rem 0 0; }\n"
+    "code, pre { font-family: ui-monospace, monospace; "
+    "overflow-wrap: anywhere; }\n"
+    "pre { overflow: auto; max-height: 20rem; white-space: pre-wrap; }\n"
+    "footer { padding-bottom: 3rem; }\n"
+    "</style>\n</head>\n<body>\n";
+
+static void print_escaped(FILE *page, const char *text)
+{
+    for (; *text; text++)
+        fprintf(page, strchr("&<>\"", *text) ? "&#%d;" : "%c", *text);
+}
+
+void page_begin(FILE *page, int number)
+{
+    fputs(head, page);
+    fprintf(page, "<header>\n<h1>%s</h1>\n<p>%s</p>\n<nav>\n",
+            number ? "Light term by term" : "Pel: gallery",
+            number ? "Three lights on one mesh: all terms, each term, each "
+                     "light. <a href=\"index.html\">The gallery</a>"
+                   : "Drawn by this build. A picture is a link to itself at "
+                     "full size; times are those of the drawing, the best of "
+                     "three where it takes less than 50 ms.");
+    for (const struct page_section *s = page_sections[number]; s->title; s++)
+        fprintf(page, "<a href=\"#%s\">%s</a>\n", s->id, s->title);
+    fputs("</nav>\n</header>\n", page);
+}
+
+void page_section_begin(FILE *page, const struct page_section *section)
+{
+    fprintf(page, "<section>\n<h2 id=\"%s\">%s</h2>\n", section->id,
+            section->title);
+    if (*section->about)
+        fprintf(page, "<p>%s</p>\n", section->about);
+    fputs("<div class=\"grid\">\n", page);
+}
+
+void page_section_end(FILE *page)
+{
+    fputs("</div>\n</section>\n", page);
+}
+
+void page_end(FILE *page)
+{
+    fputs("</body>\n</html>\n", page);
+}
+
+static void print_picture(FILE *page, const char *name, const char *ending,
+                          int width, int height)
+{
+    fprintf(page,
+            "<a href=\"%s%s\"><img src=\"%s%s\" width=\"%d\" height=\"%d\" "
+            "alt=\"%s\" loading=\"lazy\"></a>\n<figcaption>",
+            name, ending, name, ending, width, height, name);
+}
+
+/* The command that draws a script, and its text, when one wants to see it. */
+static bool print_script(FILE *page, const char *path)
+{
+    size_t size;
+    char *text = file_read(path, &size);
+    if (!text)
+        return file_refuse(path);
+    fputs("<details><summary><code>pel run ", page);
+    print_escaped(page, path);
+    fputs("</code></summary><pre>", page);
+    print_escaped(page, text);
+    fputs("</pre></details>", page);
+    free(text);
+    return true;
+}
+
+/* A long one is shown when one wants to see it. */
+static void print_command(FILE *page, const char *command)
+{
+    const bool is_long = strlen(command) > 60;
+    fputs(is_long ? "<details><summary>Command</summary><pre>" : "<pre>", page);
+    print_escaped(page, command);
+    fputs(is_long ? "</pre></details>" : "</pre>", page);
+}
+
+bool page_figure(FILE *page, const struct demo *demo,
+                 const struct demo_result *result, const char *script)
+{
+    const struct picture *p = &result->picture;
+    const char *command = *result->command ? result->command : demo->command;
+    bool done = true;
+    fputs("<figure>\n", page);
+    print_picture(page, demo->name, picture_best_ending(), p->width, p->height);
+    fprintf(page, "<h3>%s</h3>%s ", demo->name, demo->caption);
+    if (strlen(result->note) > 240 && !script)
+        fputs("<details><summary>What is shown</summary>", page);
+    print_escaped(page, result->note);
+    if (strlen(result->note) > 240 && !script)
+        fputs("</details>", page);
+    fprintf(page,
+            "<div>%d x %d pixels, %.3f ms, <a href=\"%s.ppm\">PPM</a></div>",
+            p->width, p->height, result->milliseconds, demo->name);
+    if (script)
+        done = print_script(page, script);
+    else if (command)
+        print_command(page, command);
+    fputs("</figcaption>\n</figure>\n", page);
+    return done;
+}
+
+void page_product(FILE *page, const char *name, int width, int height)
+{
+    const struct product *p = products;
+    while (p->name && strcmp(p->name, name) != 0)
+        p++;
+    fputs("<figure class=\"product\">\n", page);
+    print_picture(page, name, ".png", width, height);
+    fprintf(page, "<h3>%s</h3>%s", p->name ? p->title : name,
+            p->name ? p->caption : "");
+    if (p->name)
+        fprintf(page, "<pre>%s</pre>", p->commands);
+    fputs("</figcaption>\n</figure>\n", page);
+}
