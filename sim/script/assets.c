@@ -63,11 +63,29 @@ static bool load_picture(struct pel_surface *surface, const char *path)
     return true;
 }
 
+/* The model that an earlier line has read, or NULL. */
+static const struct model *find_model(const struct script *script,
+                                      const struct model_source *of)
+{
+    for (size_t i = 0; i < script->asset_count; i++) {
+        const struct script_mesh *mesh = script->assets[i].mesh;
+        const struct model_source *s = mesh ? &mesh->source : NULL;
+        if (s && strcmp(s->path, of->path) == 0 &&
+            !s->texture == !of->texture &&
+            (!s->texture || strcmp(s->texture, of->texture) == 0) &&
+            s->without_texture == of->without_texture &&
+            s->smooth_normals == of->smooth_normals &&
+            s->has_crease == of->has_crease && s->crease == of->crease)
+            return mesh->scene.model;
+    }
+    return NULL;
+}
+
 static bool load_mesh(const struct script_parser *p, struct script_mesh *mesh,
                       const char *path)
 {
     const struct script_scene *set = &p->scene;
-    const struct model_source source = {
+    mesh->source = (struct model_source){
         .path = path,
         .texture =
             set->texture < 0 ? NULL : p->script->assets[set->texture].text,
@@ -75,8 +93,9 @@ static bool load_mesh(const struct script_parser *p, struct script_mesh *mesh,
         .smooth_normals = set->smooth_normals,
         .has_crease = set->has_crease,
         .crease = set->crease};
-    return model_load(&mesh->model, &source) &&
-           scene_init(&mesh->scene, &mesh->model) &&
+    const struct model *model = find_model(p->script, &mesh->source);
+    return (model || model_load(&mesh->model, &mesh->source)) &&
+           scene_init(&mesh->scene, model ? model : &mesh->model) &&
            scene_prepare(&mesh->scene, &set->settings);
 }
 
@@ -153,14 +172,14 @@ bool script_add_asset(struct script_parser *p, enum script_kind kind,
 {
     struct script_asset asset = {.kind = kind, .size = size_of(p, kind)};
     const char *name = word + (*word == '"');
-    const bool no_file =
-        kind == KIND_TEXT || (kind == KIND_MESH && mesh_is_builtin(name));
+    const bool builtin = kind == KIND_MESH && mesh_is_builtin(name);
     if (kind == KIND_TEXT && *word != '"')
         return ERROR_AT(p, "%s: %s: expected a text in quotes, \"...\"",
                         p->command->name, word);
-    asset.path = no_file ? NULL : path_of(p, name);
-    if (!asset.path && !no_file)
-        return false;
+    if (kind != KIND_TEXT)
+        asset.path = builtin ? strdup(name) : path_of(p, name);
+    if (!asset.path && kind != KIND_TEXT)
+        return builtin && message_error("out of memory");
     *index = (int32_t)find(p->script, &asset);
     const bool is_new = (size_t)*index == p->script->asset_count;
     const bool done = !is_new || add(p, &asset, name);

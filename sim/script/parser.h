@@ -17,14 +17,15 @@ struct script_scene {
 
 /* Never moved: a scene points into itself. */
 struct script_mesh {
-    struct model model;
-    struct scene scene;
+    struct model_source source; /* its names are those of assets */
+    struct model model;         /* empty where an earlier one is the same: */
+    struct scene scene;         /* of either */
 };
 
 /* One of these, loaded when the script is read; the others are zero. */
 struct script_asset {
     enum script_kind kind;
-    char *path; /* of a font or a picture, by which another line finds it */
+    char *path; /* of a font, a picture, a mesh, by which a line finds it */
     struct pel_font_asset font;
     int size;                   /* px of a smooth font, or 0 */
     struct pel_surface picture; /* of argb8888 pixels */

@@ -2,6 +2,7 @@
  * out, halves first, then quarters, down to single lines, until no line can be
  * left out any more. */
 #include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,24 +23,70 @@ struct shrinking {
 };
 
 /* All lines but those from `from` up to, not including, `to`. */
-static bool write_lines(const struct text_lines *lines, size_t from, size_t to,
-                        const char *path)
+static void put_lines(const struct text_lines *lines, size_t from, size_t to,
+                      FILE *stream)
+{
+    for (size_t i = 0; i < lines->count; i++)
+        if (i < from || i >= to)
+            fprintf(stream, "%s\n", lines->text[i]);
+}
+
+static bool write_candidate(const struct shrinking *s,
+                            const struct text_lines *lines, size_t from,
+                            size_t to)
+{
+    FILE *file = fopen(s->candidate, "we");
+    if (file)
+        put_lines(lines, from, to, file);
+    const bool written = file && !ferror(file);
+    return ((!file || fclose(file) == 0) && written) ||
+           message_error_at(s->candidate, 0, "cannot be written: %s",
+                            strerror(errno));
+}
+
+static bool write_result(const struct text_lines *lines, const char *path)
 {
     struct output output;
     if (!output_open(&output, path))
         return false;
-    for (size_t i = 0; i < lines->count; i++)
-        if (i < from || i >= to)
-            fprintf(output.stream, "%s\n", lines->text[i]);
+    put_lines(lines, 0, 0, output.stream);
     return output_commit(&output);
 }
 
 /* For the handler of signals. */
 static struct {
-    const char *candidate;        /* the file that a run makes, or NULL */
+    pid_t guard; /* removes the candidate when this end of a pipe is closed: */
+    int guard_pipe;
     volatile pid_t child;         /* the command, while it runs */
     volatile sig_atomic_t number; /* of the signal that came; 0: none */
 } running;
+
+/* A process of its own sees every end of this one, SIGKILL too. */
+static bool guard(const char *candidate)
+{
+    char none;
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0 || (running.guard = fork()) < 0)
+        return message_error("no guard of %s: %s", candidate, strerror(errno));
+    if (running.guard == 0) {
+        setsid();
+        close(ends[1]);
+        while (read(ends[0], &none, 1) < 0 && errno == EINTR)
+            continue;
+        unlink(candidate);
+        _exit(0);
+    }
+    close(ends[0]);
+    running.guard_pipe = ends[1];
+    return true;
+}
+
+static void end_guard(void)
+{
+    close(running.guard_pipe);
+    while (waitpid(running.guard, NULL, 0) < 0 && errno == EINTR)
+        continue;
+}
 
 static const int ending[] = {SIGHUP,  SIGINT,  SIGQUIT, SIGTERM, SIGPIPE,
                              SIGALRM, SIGXCPU, SIGUSR1, SIGUSR2};
@@ -55,15 +102,14 @@ static void on_signal(int number)
             kill(running.child, SIGTERM);
         return;
     }
-    unlink(running.candidate);
+    end_guard();
     signal(number, SIG_DFL);
     raise(number);
 }
 
 /* Those that end the program, unless the caller ignores them. */
-static void catch_signals(const char *candidate)
+static void catch_signals(void)
 {
-    running.candidate = candidate;
     for (int i = 0; i < ENDING; i++)
         if (signal(ending[i], on_signal) == SIG_IGN)
             signal(ending[i], SIG_IGN);
@@ -96,7 +142,7 @@ static int run(const char *command)
 static int status_of(struct shrinking *s, const struct text_lines *lines,
                      size_t from, size_t to)
 {
-    if (!write_lines(lines, from, to, s->candidate))
+    if (!write_candidate(s, lines, from, to))
         return -1;
     fflush(stdout);
     s->runs++;
@@ -171,17 +217,19 @@ bool script_shrink(const char *path, const char *command, const char *output)
                  "set -- \"$PEL_CANDIDATE\"; exec >/dev/null 2>&1\n%s",
                  command) < 0)
         return message_error("out of memory");
-    catch_signals(s.candidate);
+    if (!guard(s.candidate))
+        return false;
+    catch_signals();
     bool done = text_lines_read(&lines, path);
     const size_t before = lines.count;
     done = done && shrink(&s, &lines, path);
     /* What an interrupted run has reached is worth keeping. */
     if (done || lines.count < before)
-        done = write_lines(&lines, 0, 0, output) && done;
+        done = write_result(&lines, output) && done;
     if (lines.count < before || done)
         message_error_at(path, 0, "%zu of %zu lines are left, after %d runs",
                          lines.count, before, s.runs);
-    unlink(s.candidate);
+    end_guard();
     free(s.candidate);
     free(s.command);
     text_lines_free(&lines);

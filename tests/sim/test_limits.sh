@@ -224,6 +224,19 @@ done
 grep -q '^texture 1: 1 x 1, once.ppm' out || fail "of a glTF: $(cat out)"
 grep -q 'left out' err && fail "read twice: $(cat err)"
 
+# So is a mesh, unless what is made of it differs: it tells once what is missing.
+{
+    printf 'canvas 8 8 xrgb8888\nmesh dash.gltf\nshade flat\nmesh dash.gltf\n'
+    printf 'mesh builtin:vase\nmesh builtin:vase\n'
+} >mesh.pel
+"$PEL" run mesh.pel -o out.ppm 2>err || fail "two meshes: $(cat err)"
+[ "$(grep 'left out' err)" = \
+    'pel: mesh.pel:2: dash.gltf: its texture - is left out' ] ||
+    fail "a mesh is read twice: $(cat err)"
+printf 'option mesh normals smooth\nmesh dash.gltf\n' >>mesh.pel
+"$PEL" run mesh.pel -o out.ppm 2>err || fail "other normals: $(cat err)"
+[ "$(grep -c 'left out' err)" = 2 ] || fail "other normals are not made: $(cat err)"
+
 # A large canvas: it and the file are all that there is.
 printf 'canvas 8192 8192 xrgb8888\nclear #102030\n' >canvas.pel
 for ending in ppm bmp; do

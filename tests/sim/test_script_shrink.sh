@@ -66,6 +66,22 @@ for signal in TERM HUP PIPE ALRM XCPU; do
     [ -z "$(find "$dir" -name '.pel*')" ] || fail "$signal: a file is left behind"
 done
 
+# Nobody can catch KILL: the file is gone all the same.
+"$PEL" compare --shrink "$dir/s.pel" --command 'exec sleep 30' 2>"$work/err" &
+program=$!
+for i in $(seq 600); do
+    sleep=$(pgrep -P $program -x sleep) && break
+    sleep 0.1
+done
+kill -KILL $program
+wait $program 2>/dev/null
+for i in $(seq 600); do
+    [ -z "$(find "$dir" -name '.pel*')" ] && break
+    sleep 0.1
+done
+kill "$sleep"
+[ -z "$(find "$dir" -name '.pel*')" ] || fail "KILL: a file is left behind"
+
 # The example of --help is a command as it is printed: bands are as the whole.
 cp "$dir/s.pel" "$work/BAD.pel"
 "$PEL" compare --help | sed -n '/^  pel compare/,$p' |
