@@ -85,7 +85,19 @@ run cmake_zephyr cmake --build none
 [ ! -e "$work/cmake_zephyr/none/pel/libpel.a" ] ||
     fail "Zephyr: without CONFIG_PEL there is a libpel.a"
 for option in $(grep -o 'CONFIG_[A-Z_]*' CMakeLists.txt | sort -u); do
-    grep -qx "config ${option#CONFIG_}" zephyr/Kconfig || fail "Kconfig: $option"
+    grep -qx "config ${option#CONFIG_}" zephyr/Kconfig Kconfig ||
+        fail "Kconfig: $option"
+done
+
+# PEL_SMALL_CODE, for the library and for what includes its headers
+for way in subdirectory/PEL idf/CONFIG_PEL zephyr/CONFIG_PEL; do
+    option=${way#*/}_SMALL_CODE way=cmake_${way%/*}
+    run $way cmake -B small -D CONFIG_PEL=y -D CONFIG_PEL_DRIVERS=y -D "$option=y"
+    run $way cmake --build small
+    draws "$work/$way/small"
+    find "$work/$way/small" -name flags.make -exec \
+        grep -L 'C_DEFINES.*PEL_SMALL_CODE=1' {} + | grep . &&
+        fail "$way: without $option, see above"
 done
 
 # gauge.c as it is, on a board: its memory is that of two bands
