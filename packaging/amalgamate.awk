@@ -8,11 +8,18 @@
 # its .inc files in place. What a file defines for itself gets its name: `fill`
 # of disc.c becomes fill_in_disc. The folders of OPTIONAL come last, and each is
 # left out where PEL_WITH_FOLDER is 0.
+#
+# A small program is to link no more of it than of separate files. So on CPUs of
+# 32 bits no function becomes a part of one of another file. And where a compiler
+# optimises for size, functions of headers are inlined: of those that a file calls
+# once it would do so itself, but here it sees the calls of all files. Those that
+# a file calls more than once are PEL_SHARED in their headers, and shared here.
 
 BEGIN {
     OPTIONAL = "^(hit|image|outline|paint|scene|smooth)$"
     expand("core/pel.h", 0)
     if (header) {
+        print "#ifndef PEL_INLINE\n#define PEL_INLINE inline\n#endif"
         printf "%s", text
         exit
     }
@@ -21,7 +28,12 @@ BEGIN {
             if ((folder_of(ARGV[i]) ~ OPTIONAL) == optional)
                 read(++files, ARGV[i])
     print "/* Pel in one file: see pel.h. Written by make amalgamation. */"
-    print "#include \"pel.h\""
+    print "#ifdef __OPTIMIZE_SIZE__\n#define PEL_INLINE PEL_ALWAYS_INLINE\n#endif"
+    print "#include \"pel.h\"\n"
+    print "#define PEL_APART"
+    print "#if !PEL_64BIT && defined(__has_attribute)"
+    print "#if __has_attribute(__noipa__)\n#undef PEL_APART"
+    print "#define PEL_APART __attribute__((__noipa__))\n#endif\n#endif"
     print "\n/* Functions that no caller is left of are no mistake here. */"
     print "#ifdef __clang__"
     print "#pragma clang diagnostic ignored \"-Wunused-function\"\n#endif\n"
@@ -65,6 +77,8 @@ function expand(path, again,    line, depth, name)
             split(line, word, /[ (]/)
             macros = macros "#undef " word[2] "\n"
         }
+        if (path ~ /\.h$/)
+            sub(/^static inline /, "static PEL_INLINE ", line)
         if (line ~ /^#include "/) {
             split(line, word, "\"")
             name = word[2]
@@ -139,6 +153,16 @@ function renamed(i, stem, code,    out, name, before, kind, tag)
     return out code
 }
 
+# Does a function begin in line k that other files call?
+function is_public(line, k)
+{
+    if (line[k] !~ /^[A-Za-z].*[ *]pel_[a-z_0-9]*\(/ || line[k] ~ /^(static|typedef) /)
+        return 0
+    while (line[k] !~ /[;{]$/)
+        k++
+    return line[k] ~ /\{$/
+}
+
 function write(i, path,    folder, stem, n, k, line, comment, rest, at, part)
 {
     folder = folder_of(path)
@@ -155,6 +179,8 @@ function write(i, path,    folder, stem, n, k, line, comment, rest, at, part)
             print rest
             continue
         }
+        if (is_public(line, k))
+            rest = "PEL_APART " rest
         while ((at = index(rest, comment ? "*/" : "/*")) > 0) {
             part = substr(rest, 1, at + 1)
             printf "%s", comment ? part : renamed(i, stem, part)

@@ -90,7 +90,7 @@ static inline pel_color pel_over(pel_color d, const struct pel_premultiplied *s)
 
 /* Source over destination, opaque: per channel round((s a + d (255 - a)) / 255)
  * with the weight a, 0..255. */
-static inline pel_color pel_mix(pel_color d, pel_color s, uint32_t a)
+static PEL_SHARED pel_color pel_mix(pel_color d, pel_color s, uint32_t a)
 {
     const struct pel_premultiplied weighed =
         pel_premultiply((s & UINT32_C(0xFFFFFF)) | a << 24);

@@ -63,6 +63,10 @@ static inline int pel_trailing_zeros(uint32_t v)
 #endif
 }
 
+/* Of functions in headers that a file calls more than once: in one source, too,
+ * they are shared where code is to be small (packaging/amalgamate.awk). */
+#define PEL_SHARED inline
+
 /* PEL_HOT: runs for every pixel, row or cell, so it is inlined, even where the
  * compiler optimises for size, but not where code is to be small: there it is a
  * function of its own, which shares its code and frees its stack. */

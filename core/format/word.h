@@ -96,8 +96,8 @@ static inline uintptr_t pel_address(const struct pel_surface *s, int32_t x,
            PEL_CAST(uintptr_t, bytes) * PEL_CAST(uintptr_t, x);
 }
 
-static inline pel_word16 *pel_address16(const struct pel_surface *s, int32_t x,
-                                        int32_t y)
+static PEL_SHARED pel_word16 *pel_address16(const struct pel_surface *s,
+                                            int32_t x, int32_t y)
 {
     return PEL_CAST_ADDRESS(pel_word16 *, pel_address(s, x, y, 2));
 }

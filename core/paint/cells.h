@@ -78,8 +78,8 @@ static inline uint32_t pel_mix_sum(uint32_t a, uint32_t change, int32_t i)
 }
 
 /* From cell i on, up where way is 1, or down: -1. */
-static inline struct pel_mix pel_mix_from(const struct pel_gradient *g,
-                                          int32_t i, int32_t way)
+static PEL_SHARED struct pel_mix pel_mix_from(const struct pel_gradient *g,
+                                              int32_t i, int32_t way)
 {
     const pel_color a = g->ramp.colors[0], b = g->ramp.colors[1];
     const uint32_t m = 0xFF00FFu, high = (b >> 8 & m) - (a >> 8 & m);

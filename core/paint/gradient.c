@@ -6,7 +6,8 @@ int32_t pel_spans_hull(struct pel_span *hull, const struct pel_span *span,
                        int32_t n)
 {
     int32_t pixels = 0;
-    *hull = (struct pel_span){FAR, -FAR};
+    hull->x0 = FAR;
+    hull->x1 = -FAR;
     for (; n > 0; n--, span++)
         if (span->x0 < span->x1) {
             hull->x0 = pel_min(hull->x0, span->x0);

@@ -134,10 +134,11 @@ enum pel_status pel_hue_wheel_init(struct pel_hue_wheel *paint,
                                    struct pel_point center, uint16_t start,
                                    uint8_t s, uint8_t v)
 {
+    static const struct pel_gradient hues = {
+        {pel_nothing_fill, NULL}, hue_color, {NULL, 0, PEL_REPEAT}, HUES, HUES};
     if (!paint)
         return PEL_ERROR_NULL;
-    paint->conic.base = (struct pel_gradient){
-        {pel_nothing_fill, NULL}, hue_color, {NULL, 0, PEL_REPEAT}, HUES, HUES};
+    paint->conic.base = hues;
     paint->s = s;
     paint->v = v;
     return begin(&paint->conic, center, start);

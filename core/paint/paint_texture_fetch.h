@@ -27,7 +27,7 @@ static inline const void *pel_texture_line(const struct pel_texture *p,
     return p->memory + (ptrdiff_t)v * p->stride;
 }
 
-static inline pel_color pel_texel_of_565(uint32_t w)
+static PEL_SHARED pel_color pel_texel_of_565(uint32_t w)
 {
     return PEL_RGB(pel_widen(w >> 11, 5), pel_widen(w >> 5 & 63, 6),
                    pel_widen(w & 31, 5));
@@ -92,7 +92,7 @@ static inline bool pel_texture_axis_inside(const struct pel_texture_axis *a,
 
 /* The whole texels of the coordinate, brought back into one period by a floored
  * modulo, but for PEL_WRAP_CLAMP. */
-static inline int32_t pel_texture_axis_index(struct pel_texture_axis *a)
+static PEL_SHARED int32_t pel_texture_axis_index(struct pel_texture_axis *a)
 {
     int32_t i = (int32_t)(a->at >> 32);
     if ((uint32_t)i < (uint32_t)a->period || a->period == 0)
@@ -104,8 +104,8 @@ static inline int32_t pel_texture_axis_index(struct pel_texture_axis *a)
 
 /* The texel of index i, or the one that stands for it; without PEL_WRAP_CLAMP i
  * is from 0 to the period. */
-static inline int32_t pel_texture_axis_texel(const struct pel_texture_axis *a,
-                                             int32_t i)
+static PEL_SHARED int32_t
+pel_texture_axis_texel(const struct pel_texture_axis *a, int32_t i)
 {
     if ((uint32_t)i < (uint32_t)a->size)
         return i;

@@ -31,13 +31,21 @@ static PEL_ALWAYS_INLINE void inner_run(const struct pel_texture *p, int kind,
     } while (--n);
 }
 
+/* Does a run of n pixels stay inside the picture? */
+static inline bool start(struct pel_texture_axes *a,
+                         const struct pel_texture *p, int32_t x, int32_t y,
+                         int32_t n)
+{
+    pel_texture_axes_start(a, p, x, y, 0);
+    return pel_texture_axes_inside(a, p, n, 0);
+}
+
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
     const struct pel_texture *p = (const void *)paint;
     struct pel_texture_axes a;
-    pel_texture_axes_start(&a, p, x, y, 0);
-    if (!PEL_SMALL_CODE && pel_texture_axes_inside(&a, p, n, 0))
+    if (start(&a, p, x, y, n) && !PEL_SMALL_CODE)
         pel_texture_run(p, &a, n, out, inner_run);
     else
         outer_run(p, &a, n, out);
@@ -169,8 +177,7 @@ static PEL_NOINLINE void copy_outer_run(const struct copy *c,
 static void copy_run(const struct copy *c, int32_t x, int32_t y)
 {
     struct pel_texture_axes a;
-    pel_texture_axes_start(&a, c->paint, x, y, 0);
-    if (pel_texture_axes_inside(&a, c->paint, (int32_t)(c->end - c->out), 0))
+    if (start(&a, c->paint, x, y, (int32_t)(c->end - c->out)))
         copy_inner_run(c, &a);
     else if (pel_texture_is_masked(a.u.size, c->paint->wrap_u) &&
              pel_texture_is_masked(a.v.size, c->paint->wrap_v))

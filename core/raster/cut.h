@@ -42,9 +42,9 @@ static inline int32_t pel_cut_within(struct pel_span *span, int32_t n,
 
 /* Stores `whole` without `hole` as span n and perhaps n + 1; an empty hole cuts
  * nothing. Returns the number of spans. */
-static inline int32_t pel_cut_hole(struct pel_span *span, int32_t n,
-                                   const struct pel_span *whole,
-                                   const struct pel_span *hole)
+static PEL_SHARED int32_t pel_cut_hole(struct pel_span *span, int32_t n,
+                                       const struct pel_span *whole,
+                                       const struct pel_span *hole)
 {
     const struct pel_span r = *whole, h = *hole;
     if (h.x0 >= h.x1)

@@ -119,8 +119,9 @@ static inline int32_t pel_edge_carry(int32_t f, int32_t t, int32_t r,
 /* The edge from a down to b, a.y < b.y, at row `top`, which lies on or below
  * the first row of the edge: pel_first_pixel(a.y) <= top <
  * pel_first_pixel(b.y). */
-static inline void pel_edge_start(struct pel_edge *e, const struct pel_point *a,
-                                  const struct pel_point *b, int32_t top)
+static PEL_SHARED void pel_edge_start(struct pel_edge *e,
+                                      const struct pel_point *a,
+                                      const struct pel_point *b, int32_t top)
 {
     const int32_t row = pel_first_pixel(a->y);
     const int32_t dy = b->y - a->y, t = pel_pixel_center(row) - a->y;

@@ -77,6 +77,26 @@ LINK_ELFS := $(foreach b,$(LINK_BUILDS),\
     $(patsubst %,$(BUILD)/link/$b/%.elf,$(LINK_PROGRAMS_$b) \
         $(if $(filter $b,$(LINK_WHOLE_BUILDS)),pairs)))
 
+# The same from the amalgamation, which takes no more.
+LINK_ONE_BUILDS := $(foreach c,cortex-m0plus cortex-m4 rv32imc,\
+    $(MCU_LEVELS:%=$c-%))
+define link_one
+LINK_ONE_$1 := $(filter $(LINK_FILES),$(LINK_PROGRAMS_$1))
+$(BUILD)/mcu/$1/one.o: $(ONE)/pel.c $(ONE)/pel.h | need-arm
+	@mkdir -p $$(@D)
+	$$(MCU_COMPILE_$1) -c $$< -o $$@
+$(BUILD)/link/$1/one/%.elf: $(BUILD)/mcu/$1/tests/link/%.o \
+    $(MCU_PORT:%.c=$(BUILD)/mcu/$1/%.o) $(BUILD)/mcu/$1/libdrivers.a \
+    $(BUILD)/mcu/$1/one.o
+	@mkdir -p $$(@D)
+	$(MCU_CC_$2) $(MCU_LDFLAGS) -Wl,--wrap=main \
+	    $(call mcu_script,$(LINK_BOARD_$2)) $$^ -o $$@
+endef
+$(foreach b,$(LINK_ONE_BUILDS),$(eval $(call link_one,$b,$(patsubst \
+    %-$(lastword $(subst -, ,$b)),%,$b))))
+LINK_ELFS += $(foreach b,$(LINK_ONE_BUILDS),\
+    $(LINK_ONE_$b:%=$(BUILD)/link/$b/one/%.elf))
+
 # Bytes of stack that any shape with any paint may take.
 LINK_STACK_small := 384
 LINK_STACK_Os := 608
@@ -136,6 +156,8 @@ size: $(MCU_CORE_OBJECTS) $(LINK_ELFS) guide \
     $(BUILD)/link/panel_times | need-qemu-arm ## bytes and stack on small CPUs: build/size.tsv
 	printf '%s\n' $(foreach b,$(LINK_BUILDS),'$b $(LINK_PROGRAMS_$b)') | \
 	    tests/link/size.sh $(BUILD) >$(BUILD)/size.tsv
+	printf '%s\n' $(foreach b,$(LINK_ONE_BUILDS),'$b $(LINK_ONE_$b)') | \
+	    tests/link/one.sh $(BUILD)/link
 	tests/link/budgets.sh $(BUILD)/size.tsv $(ACCEPT)
 	bench/mcu/matrix.sh $(ACCEPT)
 	tests/link/panels.sh $(BUILD)/link/panel_times $(ACCEPT)
