@@ -20,20 +20,21 @@ static int32_t bow_height(const struct pel_smooth_bow *b, int32_t y)
     return height_of(y, b->center.y, pel_min(radius + 1, 0x7FFFFF));
 }
 
-static void go_to(struct pel_smooth_bow *b, int32_t y)
+/* The ends of a row, below the centre. */
+struct ends {
+    int32_t v[2];
+};
+
+static struct ends go_to(struct pel_smooth_bow *b, int32_t y)
 {
+    const struct ends row = {{bow_height(b, y), bow_height(b, y + 1)}};
     if (b->row == y)
-        return;
-    if (b->row == y - 1) {
-        b->v[0] = b->v[1];
-        b->at[0] = b->at[1];
-    } else {
-        b->v[0] = bow_height(b, y);
-        b->at[0] = pel_smooth_arc_at(&b->circle, b->v[0] >> 8);
-    }
-    b->v[1] = bow_height(b, y + 1);
-    b->at[1] = pel_smooth_arc_at(&b->circle, b->v[1] >> 8);
+        return row;
+    b->at[0] = b->row == y - 1 ? b->at[1]
+                               : pel_smooth_arc_at(&b->circle, row.v[0] >> 8);
+    b->at[1] = pel_smooth_arc_at(&b->circle, row.v[1] >> 8);
     b->row = y;
+    return row;
 }
 
 /* A quarter's piece is cut at an end: where it begins, near the axis, or where
@@ -59,20 +60,20 @@ static int32_t quadrant_of(const struct pel_smooth_bow *b, int32_t k)
     return (b->first + k) & 3;
 }
 
-static bool is_crossed(const struct pel_smooth_bow *b, int32_t quadrant)
+static bool is_crossed(const struct ends *row, int32_t quadrant)
 {
-    return quadrant < 2 ? b->v[1] > 0 : b->v[0] < 0;
+    return quadrant < 2 ? row->v[1] > 0 : row->v[0] < 0;
 }
 
 /* The part of its kth quarter in the row; false: none. */
-static bool strip_of(const struct pel_smooth_bow *b, int32_t k,
-                     struct pel_smooth_strip *s)
+static bool strip_of(const struct pel_smooth_bow *b, const struct ends *row,
+                     int32_t k, struct pel_smooth_strip *s)
 {
     const int32_t quadrant = quadrant_of(b, k), below = quadrant < 2;
-    const int32_t near = below ? b->v[0] : -b->v[1];
+    const int32_t near = below ? row->v[0] : -row->v[1];
     const int32_t most = b->circle.radius * 256;
     s->near = pel_max(near, 0);
-    s->far = pel_min(below ? b->v[1] : -b->v[0], most);
+    s->far = pel_min(below ? row->v[1] : -row->v[0], most);
     s->at_near = near > 0 ? b->at[!below] : most;
     s->at_far = b->at[below];
     if (k == 0)
@@ -86,14 +87,14 @@ static bool strip_of(const struct pel_smooth_bow *b, int32_t k,
 
 void pel_smooth_bow_add(struct pel_smooth_bow *b, struct pel_smooth_window *w)
 {
-    go_to(b, w->y);
-    if (b->v[0] == b->v[1])
+    const struct ends row = go_to(b, w->y);
+    if (row.v[0] == row.v[1])
         return;
     for (int32_t k = 0; k < b->count; k++) {
         struct pel_smooth_strip s;
         const int32_t quadrant = quadrant_of(b, k);
         const bool left = quadrant == 1 || quadrant == 2;
-        if (is_crossed(b, quadrant) && strip_of(b, k, &s))
+        if (is_crossed(&row, quadrant) && strip_of(b, &row, k, &s))
             pel_smooth_window_strip(w, &s, left ? -b->center.x : b->center.x,
                                     left, left != b->hole);
     }
@@ -126,17 +127,35 @@ static int32_t line_at(const struct pel_smooth_line *l, int32_t v)
     return l->top.x + (l->step < 0 ? -(int32_t)way : (int32_t)way);
 }
 
+/* Cuts two heights below a base to the window's row; false: none of it is left.
+ */
+static bool cut_to_row(const struct pel_smooth_window *w, int32_t base,
+                       int32_t *top, int32_t *bottom)
+{
+    *top = pel_max(*top, height_of(w->y, base, 0x7FFFFF));
+    *bottom = pel_min(*bottom, height_of(w->y + 1, base, 0x7FFFFF));
+    return *top < *bottom;
+}
+
 void pel_smooth_line_add(const struct pel_smooth_line *l,
                          struct pel_smooth_window *w)
 {
-    const int32_t above = height_of(w->y, l->base.y, 0x7FFFFF);
-    const int32_t below = height_of(w->y + 1, l->base.y, 0x7FFFFF);
-    const int32_t top = pel_max(above, l->top.y);
-    const int32_t bottom = pel_min(below, l->bottom.y);
-    if (top >= bottom)
+    int32_t top = l->top.y, bottom = l->bottom.y;
+    if (!cut_to_row(w, l->base.y, &top, &bottom))
         return;
     struct pel_smooth_line_piece piece = {0, 0, 0, bottom - top, l->rise};
     pel_smooth_line_piece_set(&piece, l->base.x, line_at(l, top),
                               line_at(l, bottom));
     pel_smooth_window_line(w, &piece, l->left);
+}
+
+void pel_smooth_gap_add(const struct pel_smooth_gap *g,
+                        struct pel_smooth_window *w)
+{
+    int32_t top = pel_min(g->from, g->to), bottom = pel_max(g->from, g->to);
+    if (!cut_to_row(w, g->base.y, &top, &bottom))
+        return;
+    struct pel_smooth_line_piece piece = {0, 0, 0, bottom - top, {0, true}};
+    pel_smooth_line_piece_set(&piece, g->base.x, g->x, g->x);
+    pel_smooth_window_line(w, &piece, g->to < g->from);
 }

@@ -17,8 +17,7 @@ struct pel_smooth_bow {
     bool hole;            /* the outline goes backwards */
     struct pel_smooth_circle circle;
     int32_t row;   /* of what follows */
-    int32_t v[2];  /* its ends, 2^-16 px below the centre */
-    int32_t at[2]; /* where the circle is there */
+    int32_t at[2]; /* where the circle is at its ends */
 };
 
 /* Sets the rest of a bow, of which the first six members are set. */
@@ -33,6 +32,12 @@ struct pel_smooth_line {
     bool left; /* the shape is right of it */
 };
 
+/* A line down from one place to another, 2^-16 px from a base. */
+struct pel_smooth_gap {
+    struct pel_point base;
+    int32_t x, from, to;
+};
+
 /* Sets a line along `direction` from one place to another, in the outline's
  * direction: the shape lies on its right. */
 void pel_smooth_line_set(struct pel_smooth_line *line, struct pel_point base,
@@ -45,5 +50,7 @@ void pel_smooth_bow_add(struct pel_smooth_bow *bow,
                         struct pel_smooth_window *window);
 void pel_smooth_line_add(const struct pel_smooth_line *line,
                          struct pel_smooth_window *window);
+void pel_smooth_gap_add(const struct pel_smooth_gap *gap,
+                        struct pel_smooth_window *window);
 
 #endif

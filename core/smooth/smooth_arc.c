@@ -41,9 +41,12 @@ static PEL_NOINLINE void paint_body(const struct pel_surface *surface,
 struct tips {
     struct pel_smooth smooth;
     struct pel_smooth_ends ends;
-    int bows, lines;
+    int bows, lines, gaps;
     struct pel_smooth_bow bow[4];
-    struct pel_smooth_line line[4];
+    union {
+        struct pel_smooth_line line[2];
+        struct pel_smooth_gap gap[4];
+    } at; /* cut ends, or round ones */
 };
 
 /* An end of an arc: at its beginning the outline goes outwards. */
@@ -61,22 +64,21 @@ static struct pel_smooth_place place_of(const struct end *end, bool comes)
     return pel_smooth_place_at(pel_direction(end->angle), radius);
 }
 
-static void add_line(struct tips *tips, struct pel_point base,
-                     struct pel_point direction, struct pel_smooth_place from,
-                     struct pel_smooth_place to)
+static void add_line(struct tips *tips, const struct end *end)
 {
+    const struct pel_smooth_place from = place_of(end, true);
+    const struct pel_smooth_place to = place_of(end, false);
     if (from.y != to.y)
-        pel_smooth_line_set(&tips->line[tips->lines++], base, direction, from,
-                            to);
+        pel_smooth_line_set(&tips->at.line[tips->lines++], end->arc->center,
+                            pel_direction(end->angle), from, to);
 }
 
 /* Closes what rounding leaves open between the heights of two places. */
 static void add_gap(struct tips *tips, struct pel_point at, int32_t x,
                     int32_t from, int32_t to)
 {
-    static const struct pel_point down = {0, 1};
-    add_line(tips, at, down, (struct pel_smooth_place){x, from},
-             (struct pel_smooth_place){x, to});
+    if (from != to)
+        tips->at.gap[tips->gaps++] = (struct pel_smooth_gap){at, x, from, to};
 }
 
 static void add_bow(struct tips *tips, const struct pel_smooth_bow *bow,
@@ -112,8 +114,7 @@ static void add_end(struct tips *tips, const struct end *end, bool round)
     if (round)
         add_half(tips, end);
     else
-        add_line(tips, end->arc->center, pel_direction(end->angle),
-                 place_of(end, true), place_of(end, false));
+        add_line(tips, end);
 }
 
 /* Once through a quadrant, or back to it. */
@@ -143,7 +144,7 @@ static PEL_NOINLINE void find_tips(struct tips *tips,
     const struct pel_angles angles = {(uint16_t)arc->from, (uint16_t)arc->to};
     const struct end begin = {arc, angles.from, true};
     const struct end end = {arc, angles.to, false};
-    tips->bows = tips->lines = 0;
+    tips->bows = tips->lines = tips->gaps = 0;
     pel_smooth_ends_set(&tips->ends, arc, round);
     add_circle(tips, arc->center, angles, arc->outer, false);
     add_circle(tips, arc->center, angles, arc->inner, true);
@@ -160,7 +161,9 @@ static PEL_NOINLINE int32_t paint_window(struct tips *tips, int32_t y,
     for (int i = 0; i < tips->bows; i++)
         pel_smooth_bow_add(&tips->bow[i], &window);
     for (int i = 0; i < tips->lines; i++)
-        pel_smooth_line_add(&tips->line[i], &window);
+        pel_smooth_line_add(&tips->at.line[i], &window);
+    for (int i = 0; i < tips->gaps; i++)
+        pel_smooth_gap_add(&tips->at.gap[i], &window);
     pel_smooth_window_paint(&window, &tips->smooth);
     return window.next;
 }
