@@ -132,7 +132,7 @@ struct rows {
 static uint8_t level_at(const struct rows *rows, int x, int y)
 {
     const uint8_t *row = rows->at + (size_t)y * rows->stride;
-    return rows->is_smooth ? row[x] : (uint8_t)(row[x / 8] >> (7 - x % 8) & 1);
+    return (uint8_t)(rows->is_smooth ? row[x] : row[x / 8] >> (7 - x % 8) & 1);
 }
 
 /* The glyph without its empty margins; *x0 and *y0 are the column and row where
