@@ -92,17 +92,14 @@ static void put(const struct pel_epaper *paper, int32_t x, int32_t y,
         y = height - 1 - y;
     }
     const int32_t row = (width + 7) >> 3;
-    const uint8_t mask = (uint8_t)(0x80u >> (x & 7));
+    const uint32_t mask = 0x80u >> (x & 7);
     uint8_t *byte = paper->frame + y * row + (x >> 3);
-    *byte |= mask;
-    if (color << 8 == 0)
-        *byte ^= mask;
+    *byte = (uint8_t)(color << 8 ? *byte | mask : *byte & ~mask);
     if (paper->format->bits == 1)
         return;
     byte += row * height;
-    *byte |= mask;
-    if (color << 8 == 0 || color & 255)
-        *byte ^= mask;
+    *byte =
+        (uint8_t)(color << 8 && !(color & 255) ? *byte | mask : *byte & ~mask);
 }
 
 static enum pel_status epaper_flush(const struct pel_display *display,
@@ -155,14 +152,15 @@ enum pel_status pel_epaper_init(struct pel_display *display,
     if (paper->width - 1u >= chip->width || paper->height - 1u >= chip->height)
         return PEL_ERROR_SIZE;
     const size_t n = (size_t)PEL_EPAPER_FRAME(paper->width, paper->height);
-    memset(paper->frame, 0, n * paper->format->bits);
-    memset(paper->frame, 0xFF, n);
-    *display = (struct pel_display){.context = paper,
-                                    .width = paper->width,
-                                    .height = paper->height,
-                                    .format = paper->format,
-                                    .flush = epaper_flush,
-                                    .flip = epaper_flip};
+    for (size_t i = n * paper->format->bits; i-- > 0;)
+        paper->frame[i] = i < n ? 0xFF : 0;
+    memset(display, 0, sizeof *display);
+    display->context = paper;
+    display->width = paper->width;
+    display->height = paper->height;
+    display->format = paper->format;
+    display->flush = epaper_flush;
+    display->flip = epaper_flip;
     if (paper->rotation & 1) {
         display->width = paper->height;
         display->height = paper->width;

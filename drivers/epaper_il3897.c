@@ -5,7 +5,6 @@ static const uint8_t setup[] = {
     1, 0x12, PEL_EPAPER_WAIT, /* reset of the registers */
     2, 0x74, 0x54, /* control of the analog block, */
     2, 0x7E, 0x3B, /* and of the digital one */
-    2, 0x11, 0x03, /* bytes to the right, then rows down */
     2, 0x18, 0x80, /* the chip's own thermometer */
     2, 0x3C, 0x03, /* border */
     0

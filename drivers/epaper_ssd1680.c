@@ -4,7 +4,6 @@
 static const uint8_t setup[] = {
     /* clang-format off */
     1, 0x12, PEL_EPAPER_WAIT, /* reset of the registers */
-    2, 0x11, 0x03, /* bytes to the right, then rows down */
     2, 0x18, 0x80, /* the chip's own thermometer */
     3, 0x21, 0x00, 0x80, /* memory as it is, sources from the ninth on */
     0
@@ -14,7 +13,6 @@ static const uint8_t setup[] = {
 static const uint8_t setup_1681[] = {
     /* clang-format off */
     1, 0x12, PEL_EPAPER_WAIT, /* reset of the registers */
-    2, 0x11, 0x03, /* bytes to the right, then rows down */
     2, 0x18, 0x80, /* the chip's own thermometer */
     0
     /* clang-format on */

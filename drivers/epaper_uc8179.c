@@ -3,13 +3,10 @@
 #include <string.h>
 
 /* Bits of color tell it, over black and white; white ones are ones. */
-#define SETUP(mode, meaning)                                             \
-    5, 0x01, 0x07, 0x07, 0x3F, 0x3F,     /* supplies of its own, 15 V */ \
-        5, 0x06, 0x17, 0x17, 0x28, 0x17, /* boosters */                  \
-        1, 0x04, PEL_EPAPER_WAIT,        /* power on */                  \
-        2, 0x00, mode, 2, 0x15, 0x00,    /* one wire of data */          \
-        3, 0x50, meaning, 0x07,          /* with the border, interval */ \
-        2, 0x60, 0x22,                   /* times */                     \
+#define SETUP(mode, meaning)                                                   \
+    5, 0x01, 0x07, 0x07, 0x3F, 0x3F,           /* supplies of its own, 15 V */ \
+        1, 0x04, PEL_EPAPER_WAIT,              /* power on */                  \
+        2, 0x00, mode, 3, 0x50, meaning, 0x07, /* with the border */           \
         0
 
 static const uint8_t setup[] = {SETUP(0x1F, 0x21)};

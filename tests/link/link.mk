@@ -19,15 +19,17 @@ LINK_MONO := ssd1306 ssd1309 sh1106 sh1107 st7565 pcd8544
 LINK_PANELS := $(LINK_COLOR) $(LINK_MONO) ssd0323
 LINK_FORMAT_ili9488 := pel_bgr888
 LINK_FORMAT_ssd0323 := pel_gray4
+LINK_PAPERS := ssd1680 ssd1681 il3897 uc8151 uc8179
 link_format = $(or $(LINK_FORMAT_$1),$(if \
     $(filter $1,$(LINK_COLOR)),pel_rgb565_be_fill,pel_mono1_pages))
-LINK_FILES := $(filter-out shape paint panel panel_times pairs,$(basename $(notdir \
+LINK_FILES := $(filter-out shape paint panel panel_times epaper pairs,$(basename $(notdir \
     $(wildcard tests/link/*.c)))) panel_st7789 panel_ssd1306
 # All of them for two CPUs, of which other ones differ little; at -O2 those of
 # docs/MATRIX.md, which has paints of these two.
 LINK_WHOLE := cortex-m0plus cortex-m4
 LINK_ALL := $(sort $(LINK_FILES) $(LINK_SHAPES:%=shape_%) \
-    $(LINK_PAINTS:%=paint_%) $(LINK_PANELS:%=panel_%))
+    $(LINK_PAINTS:%=paint_%) $(LINK_PANELS:%=panel_%) \
+    $(LINK_PAPERS:%=epaper_%))
 LINK_MATRIX := flat flat_circle_alpha scene
 LINK_BUILDS := $(foreach l,$(MCU_LEVELS),$(MCU_CPUS:%=%-$l))
 LINK_WHOLE_BUILDS := $(foreach l,small Os,$(LINK_WHOLE:%=%-$l))
@@ -66,6 +68,10 @@ $(BUILD)/mcu/$1/tests/link/panel_%.o: tests/link/panel.c | need-arm
 	@mkdir -p $$(@D)
 	$$(MCU_COMPILE_$1) -DPANEL=pel_panel_$$* \
 	    -DFORMAT=$$(call link_format,$$*) -c $$< -o $$@
+$(BUILD)/mcu/$1/tests/link/epaper_%.o: tests/link/epaper.c | need-arm
+	@mkdir -p $$(@D)
+	$$(MCU_COMPILE_$1) -DPAPER=pel_epaper_$$* \
+	    -DIDLE=$$(if $$(filter uc%,$$*),true,false) -c $$< -o $$@
 endef
 $(foreach c,$(MCU_CPUS),$(foreach l,$(MCU_LEVELS),$(eval $(call \
     link_programs,$c-$l,$c))))

@@ -6,8 +6,8 @@
 # A program's text and data are without start-up code, its bss holds its own
 # pixels; its stack is that of the deepest call from main, by the call graph, and
 # beside it what was used when the program ran on a board. Of CPUs other than
-# Cortex-M what was used stands for both. The text of panel_CHIP is what the
-# program has of drivers/.
+# Cortex-M what was used stands for both. The text of panel_CHIP and epaper_CHIP
+# is what the program has of drivers/.
 set -eu
 folder=$1
 here=$(dirname "$0")
@@ -73,7 +73,7 @@ driver_text() {
 
 program_row() {
     text=
-    case $2 in */panel_*) text=$(driver_text "$2") ;; esac
+    case $2 in */panel_* | */epaper_*) text=$(driver_text "$2") ;; esac
     used=$(stack_used "$1" "$2")
     [ -n "$used" ] || fail "$2 failed on $(board "$1")"
     deepest="$used 0"
