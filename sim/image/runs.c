@@ -74,7 +74,7 @@ static void fill_up(uint8_t *row, int width, int bits)
 {
     uint8_t *const last = row + width * bits / 8;
     for (int bit = width * bits % 8; bit > 0 && bit < 8; bit++) {
-        const unsigned value = *last >> (7 - bit + bits) & 1u;
+        const unsigned value = (unsigned)*last >> (7 - bit + bits) & 1u;
         *last = (uint8_t)((*last & ~(0x80u >> bit)) | value << (7 - bit));
     }
 }
