@@ -70,11 +70,11 @@ static void set_end(struct pel_smooth_end *e, const struct pel_arc_shape *arc,
 void pel_smooth_ends_set(struct pel_smooth_ends *ends,
                          const struct pel_arc_shape *arc, bool round)
 {
-    const uint16_t before = (uint16_t)(49151 - arc->from);
+    const uint16_t from = (uint16_t)arc->from, to = (uint16_t)arc->to;
     ends->center = arc->center;
-    ends->top = before < (uint16_t)(arc->to - arc->from);
-    set_end(&ends->end[0], arc, (uint16_t)arc->from, round);
-    set_end(&ends->end[1], arc, (uint16_t)arc->to, round);
+    ends->top = (uint16_t)(49151 - from) < (uint16_t)(to - from);
+    set_end(&ends->end[0], arc, from, round);
+    set_end(&ends->end[1], arc, to, round);
 }
 
 /* Where a ray is at a height below the centre, off by less than 2^-15 of it;

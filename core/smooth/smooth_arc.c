@@ -28,7 +28,7 @@ static PEL_NOINLINE void paint_body(const struct pel_surface *surface,
     const struct pel_ring_shape ring = {arc->center, arc->inner, arc->outer};
     struct pel_surface part = *surface;
     struct body body;
-    if ((uint16_t)(arc->to - arc->from) < 32768)
+    if ((uint16_t)((uint16_t)arc->to - (uint16_t)arc->from) < 32768)
         part.clip = *box;
     if (!pel_smooth_ring_begin(&body.ring, &part, &ring, paint))
         return;

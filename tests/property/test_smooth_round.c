@@ -43,10 +43,11 @@ static void draw(const struct pel_surface *surface, const struct round *s)
 {
     const struct pel_ring_shape ring = {s->center, s->inner, s->radius};
     const struct pel_rounded_shape rounded = {s->center, s->to, s->radius};
-    const struct pel_sector_shape sector = {s->center, s->radius, s->from,
-                                            s->from + s->turn};
-    const struct pel_arc_shape arc = {s->center, s->inner, s->radius, s->from,
-                                      s->from + s->turn};
+    const bool turned = s->from & 1; /* by so many turns that they overflow */
+    const int32_t from = s->from + (turned ? 65536 * 1000 : 0);
+    const int32_t to = s->from + s->turn - (turned ? 65536 * 32000 : 0);
+    const struct pel_sector_shape sector = {s->center, s->radius, from, to};
+    const struct pel_arc_shape arc = {s->center, s->inner, s->radius, from, to};
     const struct pel_thick_line_shape line = {s->center, s->to, s->radius};
     const struct pel_ellipse_shape ellipse = {s->center, {s->radius, s->inner}};
     switch (s->kind) {
