@@ -1,17 +1,11 @@
-/* The panel of the examples as a window: `make window EXAMPLE=watch`. */
+/* The panel of the examples as a window: `make window EXAMPLE=watch`, which
+ * says PANEL_TITLE and PANEL_PERIOD, ms from frame to frame. */
 #ifndef EXAMPLES_WINDOW_H
 #define EXAMPLES_WINDOW_H
 
 #include <stdio.h>
 
 #include "port/sdl/display_sdl.h"
-
-#ifndef PANEL_PERIOD
-#define PANEL_PERIOD 33 /* ms a frame */
-#endif
-#ifndef PANEL_TITLE
-#define PANEL_TITLE "Pel"
-#endif
 
 static struct pel_display_sdl panel_window;
 

@@ -15,7 +15,10 @@ $(BUILD)/libpel_sdl.a: $(SDL_OBJECTS) $(DRIVERS:%.c=$(BUILD)/%.o)
 	$(AR) rcs $@ $^
 -include $(SDL_OBJECTS:.o=.d)
 
-# An example whose panel is a window.
+# An example whose panel is a window; ms from frame to frame, where 33 are not it.
+WINDOW_PERIOD_watch := 1000
+WINDOW_PERIOD_badge := 1000
+WINDOW_PERIOD_thermostat := 200
 .PHONY: window
 window: $(BUILD)/window/$(or $(EXAMPLE),watch) ## an example in a window: EXAMPLE=watch
 	$<
@@ -23,6 +26,7 @@ $(BUILD)/window/%: examples/%.c $(SDL_LIBRARY) $(BUILD)/libpel.a $(BUILD)/exampl
 	@mkdir -p $(@D)
 	@tests/tools/need.sh sdl2-config:libsdl2-dev
 	$(CC) $(PEL_CFLAGS) -I$(BUILD)/examples $(CFLAGS) '-DPANEL_TITLE="$*"' \
+	    -DPANEL_PERIOD=$(or $(WINDOW_PERIOD_$*),33) \
 	    '-DPANEL_HEADER="window.h"' $(call example_sources,$*) \
 	    $(SDL_LIBRARY) $(BUILD)/libpel.a $(SDL_LIBS) -o $@
 

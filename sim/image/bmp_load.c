@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/format/word.h"
 #include "sim/cli/bytes.h"
 #include "sim/cli/message.h"
 
@@ -131,15 +132,11 @@ static bool read_palette(struct bmp *b, uint32_t header, size_t at)
 }
 
 /* A channel of `n` bits, as 8: repeated, or of more rounded. */
-static uint32_t widen(uint32_t value, int n)
+static uint32_t to_byte(uint32_t value, int n)
 {
-    if (n > 8)
-        return (uint32_t)((value * UINT64_C(510) + ((1ull << n) - 1)) /
-                          (2 * ((1ull << n) - 1)));
-    uint32_t v = value << (8 - n);
-    for (int have = n; have < 8; have *= 2)
-        v |= v >> have;
-    return v;
+    const uint64_t most = (UINT64_C(1) << n) - 1;
+    return n > 8 ? (uint32_t)((value * UINT64_C(510) + most) / (2 * most))
+                 : pel_widen(value, n);
 }
 
 static pel_color color_of(const struct bmp *b, uint32_t pixel)
@@ -153,7 +150,7 @@ static pel_color color_of(const struct bmp *b, uint32_t pixel)
         while (low + n < 32 && mask >> low >> n & 1)
             n++;
         if (mask)
-            v[k] = widen((pixel & mask) >> low, n);
+            v[k] = to_byte((pixel & mask) >> low, n);
     }
     return PEL_RGBA(v[0], v[1], v[2], v[3]);
 }

@@ -7,7 +7,10 @@
 #include "sim/cli/message.h"
 #include "sim/image/reduce.h"
 
-enum { ROUNDS = 8 }; /* of means */
+enum {
+    ROUNDS = 8,       /* of means */
+    ENTRIES = 1 << 15 /* colours that they are found for */
+};
 
 struct entry {
     pel_color color;
@@ -24,28 +27,55 @@ static double channel(pel_color c, int k)
     return c >> 8 * k & 255;
 }
 
+static pel_color mean_of(const struct part *part)
+{
+    pel_color color = 0;
+    for (int k = 0; k < 4 && part->count > 0; k++)
+        color |= (pel_color)(part->sum[k] / part->count + 0.5) << 8 * k;
+    return color;
+}
+
 static int compare(const void *left, const void *right)
 {
-    const pel_color a = *(const pel_color *)left, b = *(const pel_color *)right;
+    const uint64_t a = *(const uint64_t *)left, b = *(const uint64_t *)right;
     return a < b ? -1 : a > b;
 }
 
-/* The colours, each once and with its count; how many. */
+/* Of numbers in order, a group in the upper 32 bits and a colour in the lower
+ * ones: the mean of each group. How many. */
+static size_t group(const uint64_t *sorted, size_t n, struct entry *e)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < n; count++) {
+        const uint64_t key = sorted[i] >> 32;
+        struct part all = {.count = 0};
+        for (; i < n && sorted[i] >> 32 == key; i++, all.count++)
+            for (int k = 0; k < 4; k++)
+                all.sum[k] += channel((pel_color)sorted[i], k);
+        e[count] = (struct entry){mean_of(&all), all.count, 0};
+    }
+    return count;
+}
+
+/* The colours, each once and with its count; how many. Where they are more than
+ * ENTRIES, those are one that differ in the lowest bits of red, green and blue
+ * alone, in as many as it takes. */
 static size_t count_colors(const struct picture *p, struct entry **entries)
 {
     const size_t n = (size_t)p->width * (size_t)p->height;
-    pel_color *sorted = malloc(n * sizeof(*sorted));
+    uint64_t *sorted = malloc(n * sizeof(*sorted));
     struct entry *e = malloc(n * sizeof(*e));
     size_t count = 0;
     *entries = e;
-    for (size_t i = 0; sorted && i < n; i++)
-        sorted[i] = pel_alpha(p->pixels[i]) ? p->pixels[i] : 0;
-    if (sorted)
+    for (int bits = 0;
+         sorted && e && bits < 8 && (bits == 0 || count > ENTRIES); bits++) {
+        const pel_color low = 0x010101u * ((1u << bits) - 1);
+        for (size_t i = 0; i < n; i++) {
+            const pel_color c = pel_alpha(p->pixels[i]) ? p->pixels[i] : 0;
+            sorted[i] = (uint64_t)(c & ~low) << 32 | c;
+        }
         qsort(sorted, n, sizeof(*sorted), compare);
-    for (size_t i = 0; sorted && e && i < n; i++) {
-        if (count == 0 || e[count - 1].color != sorted[i])
-            e[count++] = (struct entry){sorted[i], 0, 0};
-        e[count - 1].count++;
+        count = group(sorted, n, e);
     }
     free(sorted);
     return count;
@@ -93,14 +123,6 @@ static bool cut(struct entry *e, size_t n, const struct part *part, int parts)
     return true;
 }
 
-static pel_color mean_of(const struct part *part)
-{
-    pel_color color = 0;
-    for (int k = 0; k < 4 && part->count > 0; k++)
-        color |= (pel_color)(part->sum[k] / part->count + 0.5) << 8 * k;
-    return color;
-}
-
 static int distance(pel_color a, pel_color b)
 {
     int sum = 0;
@@ -129,12 +151,15 @@ int picture_palette(const struct picture *picture, int most,
     struct part part[256];
     const size_t n = count_colors(picture, &e);
     int parts = 1;
-    if (n == 0)
+    if (n == 0) {
         message_error("no memory for the colours of a picture");
+        free(e);
+        return 0;
+    }
     measure(e, n, part, parts);
-    while (n > 0 && parts < most && cut(e, n, part, parts))
+    while (parts < most && cut(e, n, part, parts))
         measure(e, n, part, ++parts);
-    for (int round = 0; n > 0 && round < ROUNDS; round++) {
+    for (int round = 0; round < ROUNDS; round++) {
         for (int i = 0; i < parts; i++)
             if (part[i].count > 0)
                 palette[i] = mean_of(&part[i]);
@@ -143,5 +168,5 @@ int picture_palette(const struct picture *picture, int most,
         measure(e, n, part, parts);
     }
     free(e);
-    return n > 0 ? parts : 0;
+    return parts;
 }

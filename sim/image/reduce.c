@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/format/word.h"
 #include "core/paint/paint_dither.h"
 #include "core/paint/paint_texture.h"
 #include "core/raster/rectangle.h"
@@ -13,12 +14,8 @@
 static double level(double value, int bits)
 {
     const int most = (1 << bits) - 1;
-    int v = (int)(value * most / 255 + 0.5);
-    v = v < 0 ? 0 : v > most ? most : v;
-    uint32_t wide = (uint32_t)v << (8 - bits);
-    for (int have = bits; have < 8; have *= 2)
-        wide |= wide >> have;
-    return wide;
+    const int v = (int)(value * most / 255 + 0.5);
+    return pel_widen((uint32_t)pel_max(0, pel_min(v, most)), bits);
 }
 
 static void nearest_color(const struct picture_levels *l, double alpha,

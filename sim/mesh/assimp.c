@@ -226,20 +226,31 @@ static void note_bad_index(const char *text, char *user)
         *user = 1;
 }
 
-/* Before anything is done with them: assimp's own steps trust the indices. */
+/* Before anything is done with them: assimp's own steps trust the indices, and
+ * a face without any ends them. */
+static bool check_faces(const struct aiMesh *part, unsigned m, const char *path)
+{
+    for (unsigned i = 0; i < part->mNumFaces; i++) {
+        const struct aiFace *face = &part->mFaces[i];
+        if (face->mNumIndices == 0)
+            return message_error_at(path, 0,
+                                    "face %u of part %u has no vertices", i, m);
+        for (unsigned k = 0; k < face->mNumIndices; k++)
+            if (face->mIndices[k] >= part->mNumVertices)
+                return message_error_at(
+                    path, 0,
+                    "face %u of part %u names vertex %u; the part has %u, "
+                    "counted from 0",
+                    i, m, face->mIndices[k], part->mNumVertices);
+    }
+    return true;
+}
+
 static bool check_indices(const struct aiScene *scene, const char *path)
 {
-    for (unsigned m = 0; m < scene->mNumMeshes; m++) {
-        const struct aiMesh *part = scene->mMeshes[m];
-        for (unsigned i = 0; i < part->mNumFaces; i++)
-            for (unsigned k = 0; k < part->mFaces[i].mNumIndices; k++)
-                if (part->mFaces[i].mIndices[k] >= part->mNumVertices)
-                    return message_error_at(
-                        path, 0,
-                        "face %u of part %u names vertex %u; the part has %u, "
-                        "counted from 0",
-                        i, m, part->mFaces[i].mIndices[k], part->mNumVertices);
-    }
+    for (unsigned m = 0; m < scene->mNumMeshes; m++)
+        if (!check_faces(scene->mMeshes[m], m, path))
+            return false;
     return true;
 }
 

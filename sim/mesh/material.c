@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "sim/cli/list.h"
+#include "sim/image/picture.h"
 #include "sim/mesh/mend.h"
 
 static unsigned byte_of(double value)
@@ -57,8 +58,10 @@ static bool add_texture(struct mesh *mesh, const struct aiScene *scene,
                         char *name, const char *path, uint32_t *number)
 {
     const bool is_inner = name[0] == '*';
+    const bool is_part = path_has_ending(path, " .3mf ");
     struct mesh_texture new = {
-        is_inner ? strdup(name) : mend_path_beside(path, name), NULL, 0};
+        is_inner || is_part ? strdup(name) : mend_path_beside(path, name), NULL,
+        0};
     if (!new.path)
         return message_error("no memory for the name of a texture");
     for (*number = 1; *number <= mesh->textures; ++*number)
@@ -66,6 +69,8 @@ static bool add_texture(struct mesh *mesh, const struct aiScene *scene,
             free(new.path);
             return true;
         }
+    if (is_part)
+        new.bytes = mend_3mf_part(path, name, &new.size);
     if ((!is_inner || copy_inner(&new, scene, name)) &&
         list_add(&mesh->texture, &mesh->textures, &new, sizeof(new)))
         return true;

@@ -27,11 +27,13 @@ struct mend {
 #define MEND_PLACE "\1%lf %lf %lf %lf\1"
 
 /* One of these writes files of an ending, of PLY and STL those that are wanted:
- * that have colours of faces. False, with a message. */
+ * that have colours of faces. False, with a message. A PLY is checked before:
+ * what assimp would lose or not leave is refused. */
 bool mend_obj(struct mend *m);
 bool mend_off(struct mend *m);
 bool mend_3mf(struct mend *m);
 bool mend_ply(struct mend *m);
+bool mend_ply_check(struct mend *m);
 bool mend_ply_wanted(struct mend *m);
 bool mend_stl(struct mend *m);
 bool mend_stl_wanted(struct mend *m);
@@ -49,6 +51,10 @@ void mend_face(struct mend *m, long corners, const struct mend_corner *like);
 
 /* The lines of a material file beside the mesh. */
 bool mend_mtl(struct mend *m, const char *name);
+
+/* The bytes of a part of a package of 3MF, malloc'ed; NULL: it cannot be read.
+ */
+unsigned char *mend_3mf_part(const char *path, const char *name, size_t *size);
 
 /* Reads a file into text and size, within the limits. False without a message,
  * with errno for file_refuse. */

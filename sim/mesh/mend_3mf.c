@@ -1,62 +1,18 @@
 /* 3MF: meshes of a package, where the build places them, in the colours of
- * their triangles or of the corners of those: basematerials and colorgroup.
- * Where neither triangle nor object names one, they have none. */
+ * their triangles or of the corners of those, or with textures: basematerials,
+ * colorgroup, texture2dgroup. Where neither triangle nor object names one, they
+ * have none. */
 #include "sim/mesh/mend.h"
 
 #include "sim/cli/message.h"
 
 #if defined(HAVE_LIBZIP) && defined(HAVE_EXPAT)
-#include <expat.h>
 #include <stdlib.h>
 #include <string.h>
 #include <zip.h>
 
 #include "sim/cli/list.h"
-
-/* Objects inside of objects; and how often they may be placed in all: each that
- * has the next one twice doubles that. */
-enum { DEPTH_MAX = 1000, INSTANCES_MAX = 1 << 20 };
-
-struct group {
-    long id;
-    size_t first, end; /* of the colors */
-};
-
-struct color {
-    double rgb[3];
-};
-
-struct triangle {
-    unsigned long vertex[3];
-    long group;    /* -1: the object's */
-    long color[3]; /* -1: none; the second and third: as the first */
-};
-
-struct component {
-    long object;
-    double place[12];
-};
-
-struct object {
-    long id, group, color;
-    size_t vertices, triangles, components; /* where they end */
-};
-
-struct package {
-    struct mend *m;
-    XML_Parser parser;
-    char model[256]; /* the name of its part */
-    double (*vertex)[3];
-    struct group *group;
-    struct color *color;
-    struct triangle *triangle;
-    struct component *component, *item;
-    struct object *object;
-    size_t vertices, groups, colors, triangles, components, items, objects;
-    size_t instances;        /* of objects */
-    unsigned long colorless; /* triangles whose property is no color */
-    bool bad;
-};
+#include "sim/mesh/mend_3mf.h"
 
 static void refuse(struct package *p, const char *format, const char *what)
 {
@@ -96,20 +52,75 @@ static void add(struct package *p, void *list, size_t *count, const void *entry,
         refuse(p, "%s", "is too large for the memory");
 }
 
+static void add_entry(struct package *p, const struct entry *e)
+{
+    if (p->groups == 0)
+        return;
+    add(p, &p->entry, &p->entries, e, sizeof(*e));
+    p->group[p->groups - 1].end = p->entries;
+}
+
 static void add_color(struct package *p, const char *text)
 {
-    struct color c;
+    struct entry e;
     unsigned v[3];
     if (!text || sscanf(text, "#%2x%2x%2x", &v[0], &v[1], &v[2]) != 3) {
         refuse(p, "'%.40s' is no colour", text ? text : "");
         return;
     }
     for (int k = 0; k < 3; k++)
-        c.rgb[k] = v[k] / 255.0;
-    if (p->groups == 0)
-        return;
-    add(p, &p->color, &p->colors, &c, sizeof(c));
-    p->group[p->groups - 1].end = p->colors;
+        e.v[k] = v[k] / 255.0;
+    add_entry(p, &e);
+}
+
+/* The numbers of attributes; false, with a message, where one is none. */
+static bool numbers(struct package *p, const char **list,
+                    const char *const *names, int n, double *to)
+{
+    for (int k = 0; k < n; k++) {
+        const char *text = attribute(list, names[k]);
+        if (!text || mend_numbers(p->m, text, &to[k], 1) != 1) {
+            refuse(p, n == 3 ? "a vertex has no %s" : "a tex2coord has no %s",
+                   names[k]);
+            return false;
+        }
+    }
+    return true;
+}
+
+static void add_place(struct package *p, const char **list)
+{
+    static const char *const names[] = {"u", "v"};
+    struct entry e = {{0, 0, 0}};
+    if (numbers(p, list, names, 2, e.v))
+        add_entry(p, &e);
+}
+
+/* OBJ has no mirrors, and one way to end for both directions. */
+static void add_texture(struct package *p, const char **list)
+{
+    const char *path = attribute(list, "path");
+    const char *u = attribute(list, "tilestyleu");
+    const char *v = attribute(list, "tilestylev");
+    struct texture t = {.id = number(list, "id", -1)};
+    u = u ? u : "wrap";
+    v = v ? v : "wrap";
+    snprintf(t.part, sizeof(t.part), "%s", path ? path : "");
+    t.is_clamped = strcmp(u, "clamp") == 0 || strcmp(u, "none") == 0;
+    if (strcmp(u, v) != 0 || strcmp(u, "mirror") == 0)
+        message_error_at(
+            p->m->path, 0,
+            "the texture %.100s is repeated as %.20s and %.20s: it "
+            "is shown as %s both ways",
+            t.part, u, v, t.is_clamped ? "clamp" : "wrap");
+    add(p, &p->texture, &p->textures, &t, sizeof(t));
+}
+
+static void add_group(struct package *p, const char **list)
+{
+    const struct group g = {number(list, "id", -1), number(list, "texid", -1),
+                            p->entries, p->entries};
+    add(p, &p->group, &p->groups, &g, sizeof(g));
 }
 
 static void add_triangle(struct package *p, const char **list)
@@ -127,15 +138,10 @@ static void add_triangle(struct package *p, const char **list)
 
 static void add_vertex(struct package *p, const char **list)
 {
-    const char *const axes[] = {"x", "y", "z"};
+    static const char *const axes[] = {"x", "y", "z"};
     double at[3];
-    for (int k = 0; k < 3; k++) {
-        const char *text = attribute(list, axes[k]);
-        if (!text || mend_numbers(p->m, text, &at[k], 1) != 1) {
-            refuse(p, "a vertex has no %s", axes[k]);
-            return;
-        }
-    }
+    if (!numbers(p, list, axes, 3, at))
+        return;
     add(p, &p->vertex, &p->vertices, at, sizeof(at));
     p->object[p->objects - 1].vertices = p->vertices;
 }
@@ -191,10 +197,14 @@ static void XMLCALL start(void *data, const char *name, const char **list)
                                  p->components};
         add(p, &p->object, &p->objects, &o, sizeof(o));
     } else if (strcmp(name, "basematerials") == 0 ||
-               strcmp(name, "colorgroup") == 0) {
-        const struct group g = {number(list, "id", -1), p->colors, p->colors};
-        add(p, &p->group, &p->groups, &g, sizeof(g));
-    } else if (strcmp(name, "base") == 0)
+               strcmp(name, "colorgroup") == 0 ||
+               strcmp(name, "texture2dgroup") == 0)
+        add_group(p, list);
+    else if (strcmp(name, "texture2d") == 0)
+        add_texture(p, list);
+    else if (strcmp(name, "tex2coord") == 0)
+        add_place(p, list);
+    else if (strcmp(name, "base") == 0)
         add_color(p, attribute(list, "displaycolor"));
     else if (strcmp(name, "color") == 0)
         add_color(p, attribute(list, "color"));
@@ -244,105 +254,6 @@ static bool parse(struct package *p, zip_t *zip, const char *name,
     return good && !p->bad;
 }
 
-/* Color i of a group; NULL: it has none. */
-static const double *color_of(const struct package *p, long group, long i)
-{
-    for (size_t k = 0; k < p->groups; k++) {
-        const struct group *g = &p->group[k];
-        if (g->id == group && i >= 0 && (size_t)i < g->end - g->first)
-            return p->color[g->first + (size_t)i].rgb;
-    }
-    return NULL;
-}
-
-static void put_place(const double place[12], const double at[3], double to[3])
-{
-    for (int k = 0; k < 3; k++)
-        to[k] = at[0] * place[k] + at[1] * place[3 + k] + at[2] * place[6 + k] +
-                place[9 + k];
-}
-
-static bool is_mirror(const double m[12])
-{
-    return m[0] * (m[4] * m[8] - m[5] * m[7]) -
-               m[1] * (m[3] * m[8] - m[5] * m[6]) +
-               m[2] * (m[3] * m[7] - m[4] * m[6]) <
-           0;
-}
-
-static bool put_triangle(struct package *p, const struct object *o,
-                         const struct triangle *t, const double place[12])
-{
-    const size_t first = o > p->object ? o[-1].vertices : 0;
-    const struct mend_corner none = {.has_uv = false};
-    for (int i = 0; i < 3; i++) {
-        const int k = is_mirror(place) ? 2 - i : i;
-        const bool own = t->color[0] >= 0;
-        const double *color = color_of(p, t->group >= 0 ? t->group : o->group,
-                                       own ? t->color[k] : o->color);
-        struct mend_corner c = {
-            .color = {MEND_NO_COLOR, MEND_NO_COLOR, MEND_NO_COLOR}};
-        if (t->vertex[k] >= o->vertices - first)
-            return message_error_at(p->m->path, 0,
-                                    "a triangle of object %ld names a vertex "
-                                    "that is out of range",
-                                    o->id);
-        if (color)
-            memcpy(c.color, color, sizeof(c.color));
-        p->colorless += i == 0 && !color && (own || o->color >= 0);
-        put_place(place, p->vertex[first + t->vertex[k]], c.at);
-        mend_corner(p->m, &c);
-    }
-    mend_face(p->m, 3, &none);
-    return true;
-}
-
-/* An object that may be placed once more; NULL, with a message. */
-static const struct object *find_object(struct package *p, long id,
-                                        size_t depth)
-{
-    const struct object *o = p->object;
-    const char *wrong = NULL;
-    while (o < p->object + p->objects && o->id != id)
-        o++;
-    if (o == p->object + p->objects)
-        wrong = "object %ld is not there";
-    else if (depth > p->objects)
-        wrong = "object %ld is a part of itself";
-    else if (depth > DEPTH_MAX)
-        wrong = "object %ld is inside of more than 1000 others";
-    else if (++p->instances > INSTANCES_MAX)
-        wrong = "object %ld is one of more than 2^20 that are placed: expected "
-                "fewer components and items";
-    if (wrong)
-        message_error_at(p->m->path, 0, wrong, id);
-    return wrong ? NULL : o;
-}
-
-static bool put_object(struct package *p, long id, const double place[12],
-                       size_t depth)
-{
-    const struct object *o = find_object(p, id, depth);
-    if (!o)
-        return false;
-    const struct object *before = o > p->object ? o - 1 : NULL;
-    for (size_t i = before ? before->triangles : 0; i < o->triangles; i++)
-        if (!put_triangle(p, o, &p->triangle[i], place))
-            return false;
-    for (size_t i = before ? before->components : 0; i < o->components; i++) {
-        const double *own = p->component[i].place;
-        double both[12];
-        for (int r = 0; r < 4; r++)
-            for (int k = 0; k < 3; k++)
-                both[3 * r + k] =
-                    own[3 * r] * place[k] + own[3 * r + 1] * place[3 + k] +
-                    own[3 * r + 2] * place[6 + k] + (r == 3 ? place[9 + k] : 0);
-        if (!put_object(p, p->component[i].object, both, depth + 1))
-            return false;
-    }
-    return true;
-}
-
 bool mend_3mf(struct mend *m)
 {
     struct package p = {.m = m};
@@ -350,17 +261,37 @@ bool mend_3mf(struct mend *m)
     if (!zip)
         return message_error_at(m->path, 0, "is no package of 3MF");
     strcpy(p.model, "3D/3dmodel.model");
-    bool good = parse(&p, zip, "_rels/.rels", find_model) &&
-                parse(&p, zip, p.model, start);
-    for (size_t i = 0; i < p.items && good; i++)
-        good = put_object(&p, p.item[i].object, p.item[i].place, 1);
+    const bool good = parse(&p, zip, "_rels/.rels", find_model) &&
+                      parse(&p, zip, p.model, start) && mend_3mf_put(&p);
     if (good && p.colorless)
         message_error_at(m->path, 0,
-                         "%lu triangles have textures or mixtures, which are "
+                         "%lu triangles have compositematerials or "
+                         "multiproperties, which pel does not have: they are "
                          "left out",
                          p.colorless);
     zip_close(zip);
     return good; /* the process ends with the lists */
+}
+
+unsigned char *mend_3mf_part(const char *path, const char *name, size_t *size)
+{
+    zip_t *zip = zip_open(path, ZIP_RDONLY, NULL);
+    zip_stat_t about;
+    unsigned char *bytes = NULL;
+    name += *name == '/';
+    if (!zip)
+        return NULL;
+    if (zip_stat(zip, name, ZIP_FL_NOCASE, &about) == 0 &&
+        (about.valid & ZIP_STAT_SIZE) && about.size < 1u << 31 &&
+        (bytes = malloc(about.size + 1))) {
+        zip_file_t *file = zip_fopen(zip, name, ZIP_FL_NOCASE);
+        const zip_int64_t n = file ? zip_fread(file, bytes, about.size) : -1;
+        *size = n > 0 ? (size_t)n : 0;
+        if (file)
+            zip_fclose(file);
+    }
+    zip_close(zip);
+    return bytes;
 }
 
 #else
@@ -371,6 +302,14 @@ bool mend_3mf(struct mend *m)
                             "this pel was built without libzip or expat, "
                             "which read 3MF: the packages libzip-dev and "
                             "libexpat1-dev bring them");
+}
+
+unsigned char *mend_3mf_part(const char *path, const char *name, size_t *size)
+{
+    (void)path;
+    (void)name;
+    (void)size;
+    return NULL;
 }
 
 #endif

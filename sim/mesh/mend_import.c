@@ -106,12 +106,14 @@ static const struct aiScene *import(struct mend *m,
     return aiImportFileEx("pel.obj", 0, &io);
 }
 
-static bool is_text(struct mend *m)
+static bool check_text(struct mend *m)
 {
-    return !memchr(m->text, 0, m->size);
+    return !memchr(m->text, 0, m->size) ||
+           message_error_at(m->path, 0,
+                            "has a zero byte: expected lines of text");
 }
 
-static bool is_any(struct mend *m)
+static bool always(struct mend *m)
 {
     return m;
 }
@@ -120,27 +122,30 @@ const struct aiScene *mend_import(const char *path, bool *told)
 {
     static const struct {
         const char *ending;
+        bool (*read)(struct mend *m, const char *path);
+        bool (*check)(struct mend *m); /* false, with a message */
         bool (*wanted)(struct mend *m);
         bool (*write)(struct mend *m);
-    } kinds[] = {{" .obj ", is_text, mend_obj},
-                 {" .off ", is_text, mend_off},
-                 {" .ply ", mend_ply_wanted, mend_ply},
-                 {" .stl ", mend_stl_wanted, mend_stl},
-                 {" .3mf ", is_any, mend_3mf},
-                 {NULL, NULL, NULL}};
+    } kinds[] = {
+        {" .obj ", mend_read_lines, check_text, always, mend_obj},
+        {" .off ", mend_read_lines, check_text, always, mend_off},
+        {" .ply ", mend_read, mend_ply_check, mend_ply_wanted, mend_ply},
+        {" .stl ", mend_read, always, mend_stl_wanted, mend_stl},
+        {" .3mf ", mend_read, always, always, mend_3mf},
+        {NULL, NULL, NULL, NULL, NULL}};
     struct mend m = {.path = path};
-    *told = false;
     int i = 0;
     while (kinds[i].ending && !path_has_ending(path, kinds[i].ending))
         i++;
-    if (kinds[i].ending) {
-        *told = !(kinds[i].wanted == is_text ? mend_read_lines
-                                             : mend_read)(&m, path);
-        if (*told)
-            file_refuse(path);
-        if (*told || kinds[i].wanted(&m))
-            return *told ? NULL : import(&m, kinds[i].write, told);
-    }
+    *told = kinds[i].ending && !kinds[i].read(&m, path);
+    if (*told)
+        file_refuse(path);
+    else if (kinds[i].ending)
+        *told = !kinds[i].check(&m);
+    if (*told)
+        return NULL;
+    if (kinds[i].ending && kinds[i].wanted(&m))
+        return import(&m, kinds[i].write, told);
     return aiImportFile(path, 0);
 }
 

@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "sim/cli/message.h"
 
@@ -104,12 +105,10 @@ static bool put_face(struct mend *m, const char *text)
 static bool put_library(struct mend *m, const char *text)
 {
     char *path = mend_path_beside(m->path, text), *names, *rest, *name;
-    FILE *file = path ? fopen(path, "rb") : NULL;
+    const bool is_one = path && access(path, R_OK) == 0;
     free(path);
-    if (file) {
-        fclose(file);
+    if (is_one)
         return mend_mtl(m, text);
-    }
     rest = names = strdup(text);
     bool good = names;
     while (good && (name = strtok_r(rest, " \t", &rest)))

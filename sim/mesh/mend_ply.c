@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "sim/cli/bytes.h"
 #include "sim/cli/message.h"
@@ -136,6 +137,45 @@ static int property_of(const struct element *e, const char *names)
             return i;
     }
     return -1;
+}
+
+static bool begins(const char *line, const char *word)
+{
+    const size_t n = strlen(word);
+    return strncasecmp(line, word, n) == 0 &&
+           (!line[n] || isspace((unsigned char)line[n]));
+}
+
+/* Of a strip assimp's reader keeps the last triangle alone, and in a header
+ * without an end it stays for ever. It refuses what does not begin with ply,
+ * or at all. */
+bool mend_ply_check(struct mend *m)
+{
+    char line[256];
+    unsigned long strips = 0;
+    struct ply p = {.m = m, .at = m->text, .end = m->text + m->size};
+    bool more = take_line(&p, line, sizeof(line)), ended = false;
+    if (m->size == 0 || (more && !begins(line, "ply")))
+        return true;
+    while (more && !ended) {
+        more = take_line(&p, line, sizeof(line));
+        sscanf(line, "element tristrips %lu", &strips);
+        ended = more && begins(line, "end_header") && p.at[-1] == '\n';
+    }
+    if (!ended && memchr(p.at, 0, (size_t)(p.end - p.at)))
+        return message_error_at(m->path, 0,
+                                "has a zero byte in its header: expected lines "
+                                "of text up to end_header");
+    if (!ended)
+        return message_error_at(m->path, 0,
+                                "ends inside of its header: expected a line "
+                                "end_header, and the mesh after it");
+    return strips == 0 ||
+           message_error_at(
+               m->path, 0,
+               "has %lu triangle strips, of which assimp would lose all but a "
+               "triangle each: expected a file with faces",
+               strips);
 }
 
 bool mend_ply_wanted(struct mend *m)

@@ -115,55 +115,19 @@ bool mesh_is_builtin(const char *path)
     return strncmp(path, prefix, sizeof(prefix) - 1) == 0;
 }
 
-/* Has fgets read a line with a NUL in it? */
-static bool has_zero(const char *line, size_t size, FILE *file)
-{
-    return !strchr(line, '\n') && strlen(line) + 1 < size && !feof(file);
-}
-
-/* Of a strip assimp's reader of .ply keeps the last triangle alone, and in a
- * header without an end it stays for ever. */
-static bool check_ply(const char *path)
-{
-    char line[256] = "";
-    unsigned long strips = 0;
-    bool ended = false, zero = false;
-    FILE *file = fopen(path, "rb");
-    if (!file)
-        return true;
-    const bool is_ply =
-        fgets(line, sizeof(line), file) &&
-        (strcmp(line, "ply\n") == 0 || strcmp(line, "ply\r\n") == 0);
-    while (is_ply && !ended && !zero && fgets(line, sizeof(line), file)) {
-        zero = has_zero(line, sizeof(line), file);
-        sscanf(line, "element tristrips %lu", &strips);
-        ended = strncmp(line, "end_header", 10) == 0 && line[10] &&
-                strchr(" \t\r\n", line[10]);
-    }
-    fclose(file);
-    if (zero)
-        return message_error_at(path, 0,
-                                "has a zero byte in its header: expected lines "
-                                "of text up to end_header");
-    if (is_ply && !ended)
-        return message_error_at(path, 0,
-                                "ends inside of its header: expected a line "
-                                "end_header, and the mesh after it");
-    return strips == 0 ||
-           message_error_at(
-               path, 0,
-               "has %lu triangle strips, of which assimp would lose all but a "
-               "triangle each: expected a file with faces",
-               strips);
-}
-
-/* Of assimp's readers only those of XML and .x skip the mark; that of .obj
- * leaves out the first line without a message. */
+/* Of assimp's readers only those of XML and .x skip a mark of UTF-8; that of
+ * .obj leaves out the first line without a message. Only XML may be UTF-16. */
 static bool check_mark(const char *path)
 {
     char start[8];
     const size_t n = text_start(path, start, sizeof(start));
     const char *text = start + byte_order_mark(start);
+    const bool little = n > 3 && memcmp(start, "\xFF\xFE", 2) == 0;
+    const bool big = n > 3 && memcmp(start, "\xFE\xFF", 2) == 0;
+    if ((little && start[2] != '<') || (big && start[3] != '<'))
+        return message_error_at(path, 0,
+                                "is text of UTF-16: expected UTF-8 (`iconv -f "
+                                "UTF-16 -t UTF-8`)");
     return n == 0 || text == start || *text == '<' ||
            strncmp(text, "xof ", 4) == 0 ||
            message_error_at(path, 0,
@@ -176,7 +140,7 @@ static bool check_mark(const char *path)
 static bool put_mesh(const void *path, FILE *out)
 {
     struct mesh mesh = {0};
-    if (!check_mark(path) || !check_ply(path) ||
+    if (!check_mark(path) ||
         !(gltf_is_file(path) ? gltf_load : mesh_load_file)(&mesh, path))
         return false;
     child_put(out, &mesh, sizeof(mesh));

@@ -55,15 +55,6 @@ void scene_free(struct scene *scene)
     scene->part = NULL;
 }
 
-/* The colours of vertices in the place of white: they multiply the texels as
- * bytes, which is up to 6 of 255 from what light would do. */
-static pel_color own_color(const struct pel_frame *frame, uint32_t vertex)
-{
-    const uint8_t(*color)[3] = frame->scene->mesh->colors;
-    return color ? PEL_RGB(color[vertex][0], color[vertex][1], color[vertex][2])
-                 : PEL_RGB(255, 255, 255);
-}
-
 static void set_texture(struct pel_mesh_texture *to,
                         const struct model_texture *from,
                         const struct scene_settings *s)
@@ -79,6 +70,8 @@ static void set_texture(struct pel_mesh_texture *to,
     if (s->mapping == SCENE_MAP_PERSPECTIVE &&
         (s->tolerance > 0 || s->texel_tolerance > 0))
         to->mapping = &pel_map_chosen;
+    if (from->material.is_colored)
+        to->mapping = scene_colored(to->mapping);
     to->sampler = s->texture == SCENE_TEXTURE_NEAREST
                       ? pel_texture_init_nearest
                       : pel_texture_init_bilinear;
@@ -100,15 +93,8 @@ static void set_parts(struct scene *scene, const struct scene_settings *s,
                       bool *bare, bool *clear)
 {
     const struct model *model = scene->model;
-    for (size_t i = 0; i < model->textures; i++) {
+    for (size_t i = 0; i < model->textures; i++)
         set_texture(&scene->texture[i], &model->texture[i], s);
-        if (!model->texture[i].material.is_colored ||
-            s->mapping == SCENE_MAP_VERTICES)
-            continue;
-        scene->colored = *scene->texture[i].mapping;
-        scene->colored.vertex = own_color;
-        scene->texture[i].mapping = &scene->colored;
-    }
     scene->core.textures = (uint32_t)model->textures;
     scene->core.texture =
         model->textures > 0 && s->texture != SCENE_TEXTURE_NONE ? scene->texture

@@ -167,7 +167,6 @@ struct scene {
     struct pel_light light[SCENE_LIGHTS_MAX];
     struct pel_mesh_texture *texture; /* malloc'ed, like the next two */
     struct pel_mesh_part *part;       /* the model's, in the settings' color */
-    struct pel_mapping colored;       /* of textures that vertices multiply */
     struct pel_stats stats;
     struct pel_frame frame;
     void *scratch;
@@ -207,6 +206,10 @@ void scene_print_order(FILE *out, const struct scene *scene);
 void scene_print_camera(FILE *out, const struct scene *scene);
 
 /* Parts of scene_prepare, in files of their own. */
+
+/* The mapping of a texture whose texels the colours of vertices multiply, light
+ * by light, before it is lit. That of vertices is right as it is. */
+const struct pel_mapping *scene_colored(const struct pel_mapping *plain);
 
 /* Places, in the scale that fits, lights and material: units, mesh, pose,
  * core.camera, core.viewport, lighting. The camera is complete. */

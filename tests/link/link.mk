@@ -157,6 +157,12 @@ $(LINK_STUBS:%=$(BUILD)/link/guide/%.o): $(BUILD)/link/guide/%.o: \
 guide: $(LINK_GUIDES:%=$(BUILD)/link/guide/%.elf) \
     $(LINK_STUBS:%=$(BUILD)/link/guide/%.o)
 
+# Built for the host: times follow from bytes.
+$(BUILD)/link/panel_times: tests/link/panel_times.c $(DRIVERS:%.c=$(BUILD)/%.o) \
+    $(BUILD)/libpel.a
+	@mkdir -p $(@D)
+	$(CC) $(PEL_CFLAGS) $(CFLAGS) $^ -o $@
+
 # With ACCEPT=1 what is measured becomes the new limit.
 size: $(MCU_CORE_OBJECTS) $(LINK_ELFS) guide \
     $(BUILD)/link/panel_times | need-qemu-arm ## bytes and stack on small CPUs: build/size.tsv

@@ -56,12 +56,12 @@ class Browser {
     return result.value;
   }
   async until(expression) {
-    for (let i = 0; i < 600; i++) {
+    for (let i = 0; i < 2400; i++) {
       if (await this.value(`Boolean(${expression})`).catch(() => false))
         return;
       await new Promise((done) => setTimeout(done, 50));
     }
-    throw new Error("not within half a minute: " + expression);
+    throw new Error("not within two minutes: " + expression);
   }
 
   // Where an element is seen, as x, y, width, height.

@@ -184,7 +184,7 @@ async function main() {
   check(browser.wrong.length === 0, "the console: " + browser.wrong.join("\n"));
 }
 
-const late = setTimeout(() => { throw new Error("not done in two minutes"); }, 120000);
+const late = setTimeout(() => { throw new Error("not done in five minutes"); }, 300000);
 main().catch((e) => check(false, e.stack)).finally(() => {
   clearTimeout(late);
   browser.process.on("exit", () => setTimeout(() => rmSync(work,

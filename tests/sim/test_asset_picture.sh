@@ -105,6 +105,11 @@ below() { # WHAT MEAN WORST: of standard input
 shown "$work/icon.ppm" 256 | below "256 colours of 256" 0 0
 shown "$work/300.ppm" 256 | below "256 colours of 300" 1.5 20
 shown "$work/300.ppm" 64 | below "64 colours of 300" 10 60
+# More colours than are looked at one by one, and white, which stays.
+awk 'BEGIN { print "P3 256 288 255"; for (y = 0; y < 288; y++) for (x = 0; x < 256; x++)
+    print y < 256 ? x " " y " " (x * 7 + y * 13) % 256 : "255 255 255" }' >"$work/many.ppm"
+shown "$work/many.ppm" 256 | below "256 colours of 65,537" 9 40
+colors "$work/many.ppm" --format palette8 --palette 256 | grep -c ffffffff | equal white 1
 colors "$work/300.ppm" --format palette4 --palette 5 | grep -vc 00000000 |
     equal "5 colours" 5
 printf 'P3 3 1 255 255 0 255 10 20 30 10 20 30' >"$work/key.ppm"

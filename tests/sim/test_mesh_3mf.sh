@@ -50,6 +50,7 @@ package() { # MODEL [ATTRIBUTES]: writes a.3mf
     entries=0
     entry _rels/.rels "$work/rels"
     entry 3D/a.model "$work/model"
+    entry 3D/Textures/t4.png $field/t4.png
     {
         cat "$work/zip" "$work/directory"
         printf 'PK\5\6\0\0\0\0'
@@ -66,7 +67,7 @@ object() {
     printf '<object id="1" %s><mesh>%s<triangles><triangle v1="0" v2="1" v3="2" %s/><triangle v1="0" v2="2" v3="3" %s/></triangles></mesh></object>' \
         "$1" "$vertices" "$2" "$3"
 }
-groups='<basematerials id="5"><base name="r" displaycolor="#FF0000"/><base displaycolor="#0000FFFF"/></basematerials><m:colorgroup id="7"><m:color color="#00FF00"/><m:color color="#FFFF00"/></m:colorgroup>'
+groups='<basematerials id="5"><base name="r" displaycolor="#FF0000"/><base displaycolor="#0000FFFF"/></basematerials><m:colorgroup id="7"><m:color color="#00FF00"/><m:color color="#FFFF00"/><m:color color="#00FFFF"/></m:colorgroup>'
 build='<build><item objectid="1"/></build>'
 row() { # PLACES RESOURCES [BUILD]
     package "<resources>$groups$2</resources>${3:-$build}"
@@ -81,7 +82,31 @@ row '00ff00~:26,73 f2ff00~:26,27' \
     "$(object '' 'pid="7" p1="0" p2="0" p3="0"' 'pid="7" p1="0" p2="1" p3="1"')" \
     '<build><item objectid="1"/></build>'
 row '999999:70,72 ff0000:30,27' "$(object '' 'pid="9" p1="0"' 'pid="5" p1="0"')"
-told '1 triangles have textures or mixtures, which are left out'
+told '1 triangles have compositematerials or multiproperties, which pel does not have'
+# Textures: upright, of triangles or of the object, beside colours, clamped or
+# repeated; what is not in the package is named.
+texture() { # STYLES PART
+    printf '<m:texture2d id="8" path="%s" contenttype="image/png" %s/><m:texture2dgroup id="9" texid="8">' \
+        "$2" "$1"
+    printf '<m:tex2coord u="%s" v="%s"/>' 0 0 1 0 1 1 0 1 2 0 2 2 0 2
+    printf '</m:texture2dgroup>'
+}
+t4=$(texture '' /3D/Textures/t4.png)
+row 'ff0000:30,30 00ff00:70,30 0000ff:30,70 ffff00:70,70' \
+    "$t4$(object '' 'pid="9" p1="0" p2="1" p3="2"' 'pid="9" p1="0" p2="2" p3="3"')"
+row 'ffff00:70,70 00ffff:30,30' \
+    "$t4$(object 'pid="5" pindex="1"' 'pid="9" p1="0" p2="1" p3="2"' 'pid="7" p1="2"')"
+row 'ff0000:70,72 ff0000:30,27' "$t4$(object 'pid="9" pindex="3"' '' '')"
+twice='pid="9" p1="0" p2="4" p3="5"'
+row '0000ff:51,74 ffff00:73,74 ff0000:51,52' "$t4$(object '' "$twice" "$twice")"
+row 'ffff00:51,74 ffff00:73,74 00ff00:52,47' \
+    "$(texture 'tilestyleu="clamp" tilestylev="clamp"' /3D/Textures/t4.png)$(object '' \
+        "$twice" 'pid="9" p1="0" p2="5" p3="6"')"
+row 'ff0000:30,30' "$(texture 'tilestyleu="mirror"' /3D/Textures/t4.png)$(object '' \
+    'pid="9" p1="0" p2="1" p3="2"' 'pid="9" p1="0" p2="2" p3="3"')"
+told 'is repeated as mirror and wrap: it is shown as wrap both ways'
+row '' "$(texture '' /3D/none.png)$(object '' 'pid="9" p1="0" p2="1" p3="2"' '')"
+told 'its texture /3D/none.png is left out'
 red=$(object 'pid="5" pindex="0"' '' '')
 row 'ff0000:73,27 ff0000:51,49 000000:48,52' "$red" \
     '<build><item objectid="1" transform="0.5 0 0 0 0.5 0 0 0 1 0.5 0.5 0"/></build>'
@@ -122,4 +147,4 @@ refused 'a mesh file without triangles' "<resources>$red</resources><build/>"
 printf 'PK' >"$work/a.3mf"
 refused_command 'a.3mf: is no package of 3MF' info "$work/a.3mf"
 
-[ -e "$work/failed" ] || echo "3MF shows its colours"
+[ -e "$work/failed" ] || echo "3MF shows its colours and textures"

@@ -84,6 +84,22 @@ printf "${head}comment a\0b\nelement face 1\n$list$(rgb uchar)end_header\n${squa
     >"$work/wrong.ply"
 refused_command "wrong.ply: has a zero byte in its header: expected lines of text" \
     info "$work/wrong.ply" --limit 5,500
+# The same under a name that assimp takes for ply; faces without vertices, which
+# end it; OFF and OBJ with a zero byte.
+printf 'plY\nformat ascii 1.0\nelement vertex 4\nproperty }loat x\nproperty floa' >"$work/case.ply"
+refused_command "case.ply: ends inside of its header" info "$work/case.ply" --limit 5,500
+printf "${head}element face 2\n${list}end_header\n${square}0\n3 0 1 2\n" >"$work/none.ply"
+refused_command "none.ply: face 0 of part 0 has no vertices" info "$work/none.ply"
+for ending in off obj; do
+    printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2 \0 255 0\n' >"$work/zero.$ending"
+    refused_command "zero.$ending: has a zero byte: expected lines of text" \
+        info "$work/zero.$ending"
+done
+# UTF-16, which XML alone may be.
+for order in '\377\376v\0 \0' '\376\377\0v\0 '; do
+    printf "$order" >"$work/wide.obj"
+    refused_command "wide.obj: is text of UTF-16: expected UTF-8" info "$work/wide.obj"
+done
 printf "${head}element face 1\n$list$(rgb uchar)property x\nend_header\n${square}3 0 1 2 1 2 3\n" \
     >"$work/nameless.ply"
 "$PEL" info "$work/nameless.ply" >"$work/out" 2>&1 ||

@@ -202,9 +202,15 @@ gltf "$both" "\"pbrMetallicRoughness\": {$base}}, \"emissiveTexture\": {\"index\
 shows "$work/a.gltf" $quarters
 told "the emissive texture of '' does not lie as its other one and is left out"
 
-# Colours that vary over a texture: at the corners 000, 100, 110, 010.
-row '1c0000~:30,30 00e300~:70,30 000000:30,70 e81700~:70,70' \
-    '"POSITION": 0, "TEXCOORD_0": 1, "COLOR_0": 15' "$texture" "$i"
+# Colours that vary over a texture: at the corners 000, 100, 110, 010; linear
+# between them, .11 and .89 red, .91 and .09 green at these places, times the
+# texels, all as light.
+vary='"POSITION": 0, "TEXCOORD_0": 1, "COLOR_0": 15'
+row '5d0000~:30,30 00f200~:70,30 000000:30,70 f55500~:70,70' "$vary" "$texture" "$i"
+row '2e0000~:30,30 008200~:70,30 000000:30,70 832900~:70,70' "$vary" \
+    "\"pbrMetallicRoughness\": {$base}, \"baseColorFactor\": [0.25, 0.25, 0.25, 1]}" "$i"
+row '070000~:30,30 002400~:70,30 000000:30,70 250600~:70,70' "$vary" \
+    "\"pbrMetallicRoughness\": {$base}, \"baseColorFactor\": [0.02, 0.02, 0.02, 1]}" "$i"
 
 # What is below the cutoff is not there, with a texture and without one: red is a
 # quarter before a square that is cut out, or not where it shows a colour.

@@ -28,6 +28,23 @@ function said(name,    i, n, part)
     return comment ~ /^(pel|PEL)_[A-Za-z_0-9]*: / ? "" : sentence(comment)
 }
 
+# The same, or else the value of a constant, if that is short.
+function said_or(name, value,    text)
+{
+    text = said(name)
+    return text == "" && value != "" && length(value) < 30 ? value : text
+}
+
+# The value of an enumerator in the text of an enum.
+function value_of(name, text)
+{
+    if (!match(text, name " = [^,}]*"))
+        return ""
+    text = substr(text, RSTART + length(name " = "), RLENGTH - length(name " = "))
+    sub(/ +$/, "", text)
+    return text
+}
+
 function escaped(text)
 {
     gsub(/[|*<]/, "\\\\&", text)
@@ -86,7 +103,7 @@ function declare(text,    name, list, word, i, n)
         }
         n = split(list, word, ", ")
         for (i = 1; i <= n; i++)
-            add("", word[i], "", said(word[i]))
+            add("", word[i], "", said_or(word[i], value_of(word[i], text)))
         return
     }
     if (text ~ /^typedef char .*\[/)
@@ -136,7 +153,10 @@ inside {
     list = $0
     list = sub(/^#define [A-Za-z_0-9]+\(/, "", list) ? \
         "(" substr(list, 1, index(list, ")")) : ""
-    add("", name, list, said(name))
+    value = $0
+    sub(/^#define [A-Za-z_0-9]+ ?/, "", value)
+    add("", name, list, said_or(name, list == "" && value ~ /^[^\\\/]+$/ ? \
+        value : ""))
 }
 /^ *#/ || long { long = /\\$/; next }
 /^PEL_(BEGIN|END)_DECLS/ { next }
