@@ -42,8 +42,7 @@ static void draw(void *context, const struct pel_surface *screen)
 /* Where needle and text were is dirty, and where they are. */
 static void set_value(struct pel_dirty_areas *dirty, int degrees)
 {
-    static const struct pel_surface no_pixels = {
-        NULL, 0, {0, 0, 240, 240}, {0, 0, 240, 240}, NULL};
+    static const struct pel_surface no_pixels = PEL_NO_PIXELS(240, 240);
     static const struct pel_rect text = {78, 172, 162, 208};
     struct pel_dirty needle;
     pel_dirty_areas_add(dirty, &text);

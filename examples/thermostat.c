@@ -114,8 +114,7 @@ static void draw(void *context, const struct pel_surface *screen)
 /* The knob, before and after a turn, the digits and the slider change. */
 static void turn_up(struct pel_dirty_areas *dirty)
 {
-    static const struct pel_surface no_pixels = {
-        NULL, 0, {0, 0, WIDTH, HEIGHT}, {0, 0, WIDTH, HEIGHT}, NULL};
+    static const struct pel_surface no_pixels = PEL_NO_PIXELS(WIDTH, HEIGHT);
     static const struct pel_rect digits = {36, 82, 188, 150};
     static const struct pel_rect slider = {226, 180, 304, 196};
     struct pel_dirty knob;

@@ -82,8 +82,7 @@ static void draw(void *context, const struct pel_surface *screen)
  * second is over, and after it. */
 static void add_seconds(struct pel_dirty_areas *dirty)
 {
-    static const struct pel_surface no_pixels = {
-        NULL, 0, {0, 0, 240, 240}, {0, 0, 240, 240}, NULL};
+    static const struct pel_surface no_pixels = PEL_NO_PIXELS(240, 240);
     struct pel_dirty hand;
     pel_dirty_begin(&hand, NULL);
     draw_hand(&no_pixels, turn_of(now % 60, 60), 96, 3, &hand.paint);

@@ -11,8 +11,7 @@
  * clip. With NULL for the paint it is found without painting, and needs no
  * pixels: a surface of bounds and clip alone will do,
  *
- *     static const struct pel_rect all = {0, 0, 240, 240};
- *     const struct pel_surface screen = {NULL, 0, all, all, NULL};
+ *     static const struct pel_surface measure = PEL_NO_PIXELS(240, 240);
  *
  * which takes no other paint. Unlike other paints this one has a state. */
 #ifndef PEL_RASTER_DIRTY_H
@@ -21,6 +20,12 @@
 #include "paint.h"
 
 PEL_BEGIN_DECLS
+
+/* An initialiser of a surface of that size without memory and format. */
+#define PEL_NO_PIXELS(width, height)                                        \
+    {                                                                       \
+        NULL, 0, {0, 0, (width), (height)}, {0, 0, (width), (height)}, NULL \
+    }
 
 struct pel_dirty {
     struct pel_paint paint;

@@ -85,8 +85,8 @@ void scene_draw_oled(void *context, const struct pel_surface *screen)
 void scene_changes(const struct scene *before, const struct scene *now,
                    struct pel_dirty_areas *lcd, struct pel_dirty_areas *oled)
 {
-    static const struct pel_rect all = {0, 0, LCD_SIDE, LCD_SIDE};
-    static const struct pel_surface no_pixels = {NULL, 0, all, all, NULL};
+    static const struct pel_surface no_pixels =
+        PEL_NO_PIXELS(LCD_SIDE, LCD_SIDE);
     const struct scene *both[2] = {before, now};
     for (int i = 0; i < 2; i++) {
         struct pel_dirty needle, spot;
