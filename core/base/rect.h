@@ -36,6 +36,21 @@ static inline struct pel_rect pel_corners_box(const struct pel_point v[3])
     return r;
 }
 
+/* The box of n >= 1 points. */
+static inline struct pel_rect pel_points_box(const struct pel_point *v,
+                                             int32_t n)
+{
+    struct pel_rect r = {v->x, v->y, v->x, v->y};
+    while (--n > 0) {
+        v++;
+        r.x0 = pel_min(r.x0, v->x);
+        r.y0 = pel_min(r.y0, v->y);
+        r.x1 = pel_max(r.x1, v->x);
+        r.y1 = pel_max(r.y1, v->y);
+    }
+    return r;
+}
+
 /* The pixels inside `clip` whose centres lie in a box of sub-pixels. */
 static inline struct pel_rect pel_rect_pixels(const struct pel_rect *box,
                                               const struct pel_rect *clip)

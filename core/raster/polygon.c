@@ -139,23 +139,10 @@ static void sweep_rows(struct sweep *w, struct pel_collector *c)
     }
 }
 
-static struct pel_rect box_of(const struct pel_polygon_shape *p)
-{
-    const struct pel_point *v = p->v, *const end = v + p->n;
-    struct pel_rect box = {v->x, v->y, v->x, v->y};
-    while (++v < end) {
-        box.x0 = pel_min(box.x0, v->x);
-        box.y0 = pel_min(box.y0, v->y);
-        box.x1 = pel_max(box.x1, v->x);
-        box.y1 = pel_max(box.y1, v->y);
-    }
-    return box;
-}
-
 int pel_polygon_visible(const struct pel_polygon_shape *polygon,
                         const struct pel_rect *clip)
 {
-    const struct pel_rect box = box_of(polygon);
+    const struct pel_rect box = pel_points_box(polygon->v, polygon->n);
     const struct pel_point corners[2] = {{box.x0, box.y0}, {box.x1, box.y1}};
     if (!pel_points_legal(corners, 2))
         return PEL_ERROR_RANGE;

@@ -168,26 +168,23 @@ static int32_t end_of_part(const struct pel_smooth_ends *ends,
 
 /* A part at a time. */
 static PEL_NOINLINE void paint_near(const struct pel_smooth_ends *ends,
-                                    struct pel_smooth *smooth,
+                                    const struct pel_smooth *smooth,
                                     const struct pel_smooth_row *row)
 {
-    struct pel_rect *const clip = &smooth->surface.clip;
-    const struct pel_rect all = *clip;
+    const struct pel_rect *const all = &smooth->target->clip;
+    struct pel_rect clip = *all;
     struct near_row n;
     for (int i = 0; i < 2; i++)
         n.near[i] = pel_smooth_end_columns(ends, i, row->y, &n.columns[i]);
-    for (int32_t x = all.x0, end; x < all.x1; x = end) {
-        end = pel_min(end_of_part(ends, &n, x), all.x1);
-        clip->x0 = x;
-        clip->x1 = end;
-        if (is_inside(ends, &n, row->y, x))
-            pel_smooth_paint_clipped(smooth, row);
+    for (; clip.x0 < all->x1; clip.x0 = clip.x1) {
+        clip.x1 = pel_min(end_of_part(ends, &n, clip.x0), all->x1);
+        if (is_inside(ends, &n, row->y, clip.x0))
+            pel_smooth_paint_clipped(smooth, row, &clip);
     }
-    *clip = all;
 }
 
 void pel_smooth_ends_paint(const struct pel_smooth_ends *ends,
-                           struct pel_smooth *smooth,
+                           const struct pel_smooth *smooth,
                            const struct pel_smooth_row *row)
 {
     const struct pel_smooth_end *const e = ends->end;

@@ -47,7 +47,7 @@ bool pel_smooth_end_columns(const struct pel_smooth_ends *ends, int i,
 
 /* Paints what belongs to the arc of a part of one of the ring's rows. */
 void pel_smooth_ends_paint(const struct pel_smooth_ends *ends,
-                           struct pel_smooth *smooth,
+                           const struct pel_smooth *smooth,
                            const struct pel_smooth_row *row);
 
 #endif

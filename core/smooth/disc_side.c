@@ -121,8 +121,8 @@ static PEL_NOINLINE uint32_t small_bulge(const struct pel_smooth_circle *c,
     return area + (area * (more * q >> 16) >> 16);
 }
 
-static inline uint32_t bulge_of(const struct pel_smooth_strip *s,
-                                const struct piece *p)
+static uint32_t bulge_of(const struct pel_smooth_strip *s,
+                         const struct piece *p)
 {
     if (s->small)
         return small_bulge(s->circle, p);
@@ -148,93 +148,88 @@ static inline int32_t height_at(const struct pel_smooth_strip *s, int32_t u)
     return pel_max(s->near, pel_min(v, s->far));
 }
 
-/* The first column, of which `full` px are whole; the arc leaves the strip in
- * it, or goes on at its end. */
-static uint32_t first_area(const struct pel_smooth_strip *s, struct piece *p,
-                           int32_t u, bool last)
+/* A column that the arc crosses, whose inner boundary is at u: p is the piece
+ * in the column before, if that is another one, and becomes the piece in this
+ * one. What is inside of it is whole. */
+static uint32_t column_area(const struct pel_smooth_strip *s, int32_t u,
+                            struct piece *p)
 {
-    const uint32_t full = (uint32_t)(s->at_far - u);
-    const uint32_t h = (uint32_t)(s->far - s->near);
-    if (last && h == 65536 && !s->small)
-        return ((full + (uint32_t)(s->at_near - u)) >> 2) + (s->bulge >> 5);
-    *p = (struct piece){s->at_far, s->far, s->at_near, s->near};
-    if (!last) {
-        p->u1 = u + 65536;
-        p->v1 = height_at(s, u + 65536);
+    uint32_t whole = 0;
+    p->v0 = p->u1 == u ? p->v1 : s->far;
+    if (u > s->at_far && p->u1 != u)
+        p->v0 = height_at(s, u);
+    p->u0 = pel_max(u, s->at_far);
+    if (u <= s->at_far) {
+        whole = (uint32_t)(s->at_far - u) >> 1;
+        p->v0 = s->far;
     }
-    return ((full >> 1) * h >> 16) + area_of(s, p);
+    const bool last = s->at_near - u <= 65536;
+    p->u1 = last ? s->at_near : u + 65536;
+    p->v1 = last ? s->near : height_at(s, u + 65536);
+    return (whole * (uint32_t)(s->far - s->near) >> 16) + area_of(s, p);
 }
 
 void pel_smooth_strip_areas(const struct pel_smooth_strip *s, int32_t center,
                             int32_t x, int32_t n, uint16_t *area)
 {
-    const int32_t inner = pel_smooth_column(center, s->at_far);
-    const int32_t outer = pel_smooth_column(center, s->at_near);
-    const uint16_t *const end = area + n;
-    struct piece p = {0, 0, 0, 0};
-    int32_t u = 0; /* of the column's inner boundary: at_near at most */
-    for (; area < end && x < inner; x++)
-        *area++ = (uint16_t)pel_smooth_height(s);
-    if (area < end && x <= outer)
-        u = (x * 256 - center) * 256;
-    if (area < end && x == inner) {
-        *area++ = (uint16_t)first_area(s, &p, u, x == outer);
-        if (x++ < outer)
-            u += 65536;
-    } else if (area < end && x <= outer) {
-        p.v1 = height_at(s, u);
+    const struct pel_span arc = pel_smooth_crossed(s, center);
+    struct piece p = {0, 0, INT32_MIN, 0};
+    for (; n > 0; n--, x++) {
+        if (x < arc.x0)
+            *area++ = (uint16_t)pel_smooth_height(s);
+        else if (x >= arc.x1)
+            *area++ = 0;
+        else
+            *area++ = (uint16_t)column_area(s, (x * 256 - center) * 256, &p);
     }
-    for (; area < end && x < outer; x++) {
+}
+
+/* The coverage of an area, for a hole's of what is around it. */
+static inline void put_area(const struct pel_smooth_bytes *to, int32_t i,
+                            uint32_t area)
+{
+    to->first[i * to->step] = (uint8_t)(pel_smooth_coverage(area) ^ to->flip);
+}
+
+static inline uint32_t bulge_between(const struct pel_smooth_strip *s,
+                                     const struct piece *p)
+{
+    return s->small ? small_bulge(s->circle, p) : s->bulge >> 5;
+}
+
+/* The columns of a whole side that is more than one of them wide: n after the
+ * first, of which `full` px are whole. */
+static void cross_columns(const struct pel_smooth_strip *s, int32_t full,
+                          int32_t n, const struct pel_smooth_bytes *to)
+{
+    int32_t u = s->at_far - full + 65536;
+    struct piece p = {s->at_far, s->far, u, height_at(s, u)};
+    put_area(to, 0, ((uint32_t)full >> 1) + area_of(s, &p));
+    for (int32_t i = 1; i < n; i++) {
         p.u0 = u;
         p.v0 = p.v1;
         u += 65536;
         p.u1 = u;
         p.v1 = height_at(s, u);
-        const uint32_t sum = (uint32_t)(p.v0 - s->near + p.v1 - s->near);
-        const uint32_t bulge =
-            s->small ? small_bulge(s->circle, &p) : s->bulge >> 5;
-        *area++ = (uint16_t)((sum >> 2) + bulge);
-    }
-    if (area < end && x == outer) {
-        p = (struct piece){u, p.v1, s->at_near, s->near};
-        *area++ = (uint16_t)area_of(s, &p);
-    }
-    while (area < end)
-        *area++ = 0;
-}
-
-/* The columns of a whole side that is more than one of them wide: n after the
- * first, of which `full` px are whole. */
-static void cross_whole(const struct pel_smooth_strip *s, int32_t full,
-                        int32_t n, uint8_t *to, int32_t step)
-{
-    const uint32_t bulge = s->bulge >> 5;
-    int32_t u = s->at_far - full + 65536;
-    struct piece p = {s->at_far, s->far, u, height_at(s, u)};
-    *to = pel_smooth_coverage(((uint32_t)full >> 1) + area_of(s, &p));
-    while (--n > 0) {
-        const int32_t sum = p.v1 - s->near - s->near;
-        to += step;
-        u += 65536;
-        p.v1 = height_at(s, u);
-        *to = pel_smooth_coverage(((uint32_t)(sum + p.v1) >> 2) + bulge);
+        const int32_t sum = p.v0 - s->near + p.v1 - s->near;
+        put_area(to, i, ((uint32_t)sum >> 2) + bulge_between(s, &p));
     }
     p = (struct piece){u, p.v1, s->at_near, s->near};
-    to[step] = pel_smooth_coverage(area_of(s, &p));
+    put_area(to, n, area_of(s, &p));
 }
 
-struct pel_span pel_smooth_whole_side(const struct pel_smooth_strip *s,
-                                      int32_t center, uint8_t *to, int32_t step)
+int32_t pel_smooth_whole_side(const struct pel_smooth_strip *s, int32_t center,
+                              const struct pel_smooth_bytes *to)
 {
     const uint32_t fraction = (uint32_t)center << 8 & 0xFFFF;
     const uint32_t a = fraction + (uint32_t)s->at_far;
     const uint32_t b = fraction + (uint32_t)s->at_near;
-    const int32_t first = (int32_t)(a >> 16), last = (int32_t)(b >> 16);
-    const uint32_t full = a & 0xFFFF, sum = full + (b & 0xFFFF);
-    center >>= 8;
-    if (first == last)
-        *to = pel_smooth_coverage((sum >> 2) + (s->bulge >> 5));
+    const uint32_t full = a & 0xFFFF;
+    const int32_t n = (int32_t)(b >> 16) - (int32_t)(a >> 16);
+    const struct piece p = {s->at_far, s->far, s->at_near, s->near};
+    if (n > 0)
+        cross_columns(s, (int32_t)full, n, to);
     else
-        cross_whole(s, (int32_t)full, last - first, to, step);
-    return (struct pel_span){center + first, center + last + 1};
+        put_area(to, 0, ((full + (b & 0xFFFF)) >> 2) + bulge_between(s, &p));
+    return n + 1;
 }

@@ -59,6 +59,16 @@ static inline int32_t pel_smooth_column(int32_t x, int32_t distance)
     return (x + (distance >> 8)) >> 8;
 }
 
+/* The columns that the arc crosses. */
+static inline struct pel_span pel_smooth_crossed(
+    const struct pel_smooth_strip *strip, int32_t center)
+{
+    const struct pel_span span = {pel_smooth_column(center, strip->at_far),
+                                  pel_smooth_column(center, strip->at_near) +
+                                      1};
+    return span;
+}
+
 /* 0..255 of a sum of areas, which is off by less than 64. */
 static inline uint8_t pel_smooth_coverage(uint32_t sum)
 {
@@ -72,20 +82,17 @@ void pel_smooth_strip_areas(const struct pel_smooth_strip *strip,
                             int32_t center, int32_t x, int32_t n,
                             uint16_t *area);
 
-/* Is the strip a whole row whose sides cross n columns each at most, not the
- * same ones, and whose pieces have one bulge? */
-static inline bool pel_smooth_is_whole(const struct pel_smooth_strip *strip,
-                                       int32_t n)
-{
-    return !strip->small && strip->far - strip->near == 65536 &&
-           strip->at_far >= 65536 &&
-           strip->at_near - strip->at_far < (n - 1) * 65536;
-}
+/* Where coverage goes: step is 1 or -1, flip 255 for what is outside. */
+struct pel_smooth_bytes {
+    uint8_t *first;
+    int32_t step;
+    uint8_t flip;
+};
 
-/* Its coverage in all columns that the side crosses, into `to` and on by
- * `step`, 1 or -1: which they are. */
-struct pel_span pel_smooth_whole_side(const struct pel_smooth_strip *strip,
-                                      int32_t center, uint8_t *to,
-                                      int32_t step);
+/* The coverage of all columns that the side of a strip crosses which is a pixel
+ * high: how many. */
+int32_t pel_smooth_whole_side(const struct pel_smooth_strip *strip,
+                              int32_t center,
+                              const struct pel_smooth_bytes *to);
 
 #endif

@@ -7,8 +7,10 @@
 
 struct pel_smooth_ring_walk {
     struct pel_smooth_rows rows; /* first: of the outer disc */
-    struct pel_smooth_strips hole;
-    struct pel_smooth_round outer, inner;
+    struct pel_smooth_disc hole;
+    struct pel_span
+        filled;    /* rows of the batch, whose left halves are to come */
+    int32_t at[2]; /* of the disc and the hole in the first of them */
 };
 
 /* A legal ring with outer > inner; false: nothing is visible. */
@@ -17,7 +19,8 @@ bool pel_smooth_ring_begin(struct pel_smooth_ring_walk *ring,
                            const struct pel_ring_shape *shape,
                            const struct pel_paint *paint);
 
-/* Paints all. */
-void pel_smooth_ring_rows(struct pel_smooth_ring_walk *ring);
+/* Makes the next batch, which has an image if the rows have; false at the end.
+ */
+bool pel_smooth_ring_next(struct pel_smooth_ring_walk *ring);
 
 #endif

@@ -1,179 +1,273 @@
 #include "round_rows.h"
 
-#include <string.h>
-
-enum { WINDOW = PEL_SMOOTH_WINDOW };
-
-void pel_smooth_rows_put(struct pel_smooth_rows *rows,
-                         struct pel_smooth_row *row)
+/* How far the upper end of row y is above the upper centres, and below the
+ * lower ones. */
+static inline int32_t above_of(const struct pel_smooth_round *round, int32_t y)
 {
-    rows->paint(&rows->smooth, row);
-    row->y = rows->image_y - row->y;
-    if (rows->twins && rows->image_y != 2 * row->y)
-        rows->paint(&rows->smooth, row);
+    return round->top - y * 256;
 }
 
-/* The coverage of a window of columns, into `to` and on by `step`, 1 or -1. The
- * first area. */
-static PEL_NOINLINE uint32_t cross(const struct pel_smooth_strips *s,
-                                   int32_t center,
-                                   const struct pel_span *columns, uint8_t *to,
-                                   int32_t step)
+static inline int32_t below_of(const struct pel_smooth_round *round, int32_t y)
 {
-    uint16_t area[WINDOW];
-    const int32_t n = pel_smooth_window(columns);
-    pel_smooth_strips_areas(s, center, columns->x0, n, area);
-    for (int32_t i = 0; i < n; i++, to += step)
-        *to = pel_smooth_coverage(area[i]);
-    return area[0];
+    return y * 256 - round->bottom;
 }
 
-/* What a row shows of a round: columns of the left side in the mirrored
- * picture, full ones, and those of the right side. */
-struct parts {
-    struct pel_span left, full, right;
-    uint32_t height; /* 2^-15 px */
-    bool shared;     /* the first column of the left side is that of the right
-                        one, too */
-    bool twins;      /* the left side mirrors the right one */
-};
-
-static bool is_same(const struct pel_span *a, const struct pel_span *b)
+/* Where the circle is at a distance from its axis; between the centres, if that
+ * is not positive. */
+static int32_t arc_at(const struct pel_smooth_disc *disc, int32_t distance)
 {
-    return a->x0 == b->x0 && a->x1 == b->x1 && a->x1 - a->x0 <= WINDOW;
+    if (distance <= 0)
+        return disc->circle.radius * 256;
+    return pel_smooth_arc_at(&disc->circle, distance);
 }
 
-static void find_parts(const struct pel_smooth_rows *rows,
-                       const struct pel_smooth_round *round, struct parts *p)
+static int32_t arc_above(const struct pel_smooth_disc *disc,
+                         const struct pel_smooth_round *round, int32_t y)
 {
-    const struct pel_smooth_strips *const s = &rows->strips;
-    const struct pel_rect *const clip = &rows->smooth.surface.clip;
-    const struct pel_span r = pel_smooth_strips_side(s, round->right);
-    const struct pel_span l = pel_smooth_strips_side(s, -round->left);
-    const struct pel_span full = {-l.x0, r.x0};
-    p->height = pel_smooth_strips_height(s);
-    p->left = pel_smooth_clipped(l, -clip->x1, -clip->x0);
-    p->right = pel_smooth_clipped(r, clip->x0, clip->x1);
-    p->full = pel_smooth_clipped(full, clip->x0, clip->x1);
-    p->shared = full.x0 > full.x1 && p->left.x0 == l.x0;
-    p->twins =
-        rows->twin_columns && is_same(&p->left, &l) && is_same(&p->right, &r);
+    return arc_at(disc, pel_max(above_of(round, y), below_of(round, y)));
 }
 
-static void copy_twins(uint8_t *middle, int32_t n, int32_t shared)
+void pel_smooth_disc_go(struct pel_smooth_disc *disc,
+                        const struct pel_smooth_round *round, int32_t y)
 {
+    disc->at = arc_above(disc, round, y);
+}
+
+bool pel_smooth_disc_strip(struct pel_smooth_disc *disc,
+                           const struct pel_smooth_round *round, int32_t y,
+                           struct pel_smooth_strip *s)
+{
+    const int32_t above = above_of(round, y), below = below_of(round, y);
+    const int32_t near = pel_max(pel_max(above - 256, below), 0);
+    const bool straight = above <= 0 && below <= -256;
+    if (!straight &&
+        ((above < 256 && below < 0) || near + 256 > disc->circle.radius))
+        return false;
+    disc->next = arc_above(disc, round, y + 1);
+    s->circle = &disc->circle;
+    s->near = near * 256;
+    s->far = s->near + 65536;
+    s->at_near = above > 0 ? disc->next : disc->at;
+    s->at_far = above > 0 ? disc->at : disc->next;
+    pel_smooth_strip_set(s);
+    return true;
+}
+
+void pel_smooth_disc_reach(const struct pel_smooth_disc *disc,
+                           const struct pel_smooth_round *round, int32_t y,
+                           struct pel_span reach[2])
+{
+    const int32_t above = above_of(round, y), below = below_of(round, y);
+    const struct pel_smooth_strip s = {
+        .at_near = arc_at(disc, pel_max(above - 256, below)),
+        .at_far = arc_at(disc, pel_max(above, below + 256))};
+    reach[0] = pel_smooth_crossed(&s, round->right);
+    reach[1] = pel_smooth_crossed(&s, -round->left);
+}
+
+/* The areas of a strip, of what is between both of its sides. */
+static PEL_NOINLINE_32 void add_strip(const struct pel_smooth_strip *s,
+                                      const struct pel_smooth_round *round,
+                                      const struct pel_span *columns,
+                                      uint16_t *sum)
+{
+    uint16_t area[PEL_SMOOTH_PIXELS];
+    const int32_t n = columns->x1 - columns->x0;
+    const int32_t height = pel_smooth_height(s);
+    pel_smooth_strip_areas(s, round->right, columns->x0, n, area);
     for (int32_t i = 0; i < n; i++)
-        middle[-1 - i] = middle[shared + i];
+        sum[i] = (uint16_t)(sum[i] + area[i] - height);
+    pel_smooth_strip_areas(s, -round->left, -columns->x1, n, area);
+    for (int32_t i = 0; i < n; i++)
+        sum[i] = (uint16_t)(sum[i] + area[n - 1 - i]);
 }
 
-/* A window of each side, which goes on from `middle`. */
-static void cross_both(const struct pel_smooth_rows *rows,
-                       const struct pel_smooth_round *round,
-                       const struct parts *p, uint8_t *middle, int32_t shared)
+/* What row y has above the upper centres (0), between them and the lower ones
+ * (1), and below: from one distance to another. */
+static struct pel_span part_of(const struct pel_smooth_disc *disc,
+                               const struct pel_smooth_round *round, int32_t y,
+                               int part)
 {
-    const struct pel_smooth_strips *const s = &rows->strips;
-    uint32_t inner = 0, sum = 0;
-    if (!p->twins && !pel_smooth_empty(&p->left))
-        inner = cross(s, -round->left, &p->left, middle - 1 + shared, -1);
-    if (!pel_smooth_empty(&p->right))
-        sum = cross(s, round->right, &p->right, middle, 1);
-    if (p->twins) {
-        copy_twins(middle, pel_smooth_window(&p->left) - shared, shared);
-        inner = sum;
-    }
-    if (shared)
-        *middle = pel_smooth_coverage(inner + sum - p->height);
+    const int32_t above = above_of(round, y), below = below_of(round, y);
+    const int32_t radius = disc->circle.radius;
+    if (part == 0)
+        return (struct pel_span){pel_max(above - 256, 0),
+                                 pel_min(above, radius)};
+    if (part == 1)
+        return (struct pel_span){pel_max(above, 0), pel_min(-below, 256)};
+    return (struct pel_span){pel_max(below, 0), pel_min(below + 256, radius)};
 }
 
-/* A window of each side and what is between them, which is taken away. */
-static void paint_parts(struct pel_smooth_rows *rows,
-                        const struct pel_smooth_round *round, struct parts *p)
+void pel_smooth_disc_add(const struct pel_smooth_disc *disc,
+                         const struct pel_smooth_round *round, int32_t y,
+                         const struct pel_span *columns, uint16_t *sum)
 {
-    uint8_t *const middle = rows->coverage + WINDOW;
-    const int32_t n = pel_smooth_window(&p->left);
-    const int32_t k = pel_smooth_window(&p->right);
-    const int32_t shared = p->shared && n > 0, left = n - shared;
-    const int32_t full = pel_max(p->full.x1 - p->full.x0, 0);
-    const int32_t x = n ? -p->left.x0 - n : full ? p->full.x0 : p->right.x0;
-    struct pel_smooth_row row = {rows->rows.x0, x, left,
-                                 full,          k, middle - left};
-    cross_both(rows, round, p, middle, shared);
-    pel_smooth_rows_put(rows, &row);
-    p->left.x0 += n;
-    p->full.x0 += full;
-    p->right.x0 += k;
-}
-
-static void put_window(struct pel_smooth_rows *rows, int32_t x, int32_t n)
-{
-    struct pel_smooth_row row = {rows->rows.x0, x, n, 0, 0, rows->coverage};
-    pel_smooth_rows_put(rows, &row);
-}
-
-/* Of a row that is not covered to its whole height. */
-static void paint_even(struct pel_smooth_rows *rows, struct parts *p)
-{
-    for (int32_t n; (n = pel_smooth_window(&p->full)) > 0; p->full.x0 += n) {
-        memset(rows->coverage, pel_smooth_coverage(p->height), (size_t)n);
-        put_window(rows, p->full.x0, n);
+    for (int part = 0; part < 3; part++) {
+        const struct pel_span v = part_of(disc, round, y, part);
+        struct pel_smooth_strip s = {.circle = &disc->circle};
+        if (v.x0 >= v.x1)
+            continue;
+        s.near = v.x0 * 256;
+        s.far = v.x1 * 256;
+        s.at_near = arc_at(disc, part == 1 ? 0 : v.x0);
+        s.at_far = arc_at(disc, part == 1 ? 0 : v.x1);
+        pel_smooth_strip_set(&s);
+        add_strip(&s, round, columns, sum);
     }
 }
 
-/* The rest, a window at a time. */
-static void paint_left(struct pel_smooth_rows *rows, int32_t center,
-                       struct pel_span *left)
+/* The left side; a mirrored copy of the right one, if it is. */
+static void put_left(const struct pel_smooth_rows *rows,
+                     const struct pel_smooth_strip *s, uint8_t *to, int32_t n)
 {
-    for (int32_t n; (n = pel_smooth_window(left)) > 0; left->x0 += n) {
-        cross(&rows->strips, center, left, rows->coverage + n - 1, -1);
-        put_window(rows, -left->x0 - n, n);
-    }
-}
-
-static void paint_right(struct pel_smooth_rows *rows, int32_t center,
-                        struct pel_span *right)
-{
-    for (int32_t n; (n = pel_smooth_window(right)) > 0; right->x0 += n) {
-        cross(&rows->strips, center, right, rows->coverage, 1);
-        put_window(rows, right->x0, n);
-    }
-}
-
-/* Most rows: the same as below, in half the time. */
-static void paint_whole(struct pel_smooth_rows *rows,
-                        const struct pel_smooth_round *round)
-{
-    const struct pel_smooth_strip *const strip = rows->strips.strip;
-    uint8_t *const middle = rows->coverage + WINDOW;
-    const struct pel_span r =
-        pel_smooth_whole_side(strip, round->right, middle, 1);
-    const int32_t n = r.x1 - r.x0, sum = (round->left + round->right) >> 8;
-    struct pel_span l = {r.x0 - sum, r.x1 - sum};
-    if (rows->twin_columns)
-        copy_twins(middle, n, 0);
+    const struct pel_smooth_bytes left = {to + n - 1, -1, 0};
+    if (!rows->twin_columns)
+        pel_smooth_whole_side(s, -rows->round.left, &left);
     else
-        l = pel_smooth_whole_side(strip, -round->left, middle - 1, -1);
-    struct pel_smooth_row row = {rows->rows.x0, -l.x1, l.x1 - l.x0,
-                                 r.x0 + l.x0,   n,     middle - (l.x1 - l.x0)};
-    pel_smooth_rows_put(rows, &row);
+        for (int32_t i = 0; i < n; i++)
+            to[i] = to[2 * n - 1 - i];
 }
 
-void pel_smooth_rows_paint(struct pel_smooth_rows *rows,
-                           const struct pel_smooth_round *round)
+/* Adds a row with this strip to the batch, if there is room behind `to`: where
+ * its bytes end. */
+static uint8_t *add_row(struct pel_smooth_rows *rows,
+                        const struct pel_smooth_strip *s, uint8_t *to)
 {
-    struct parts p;
-    if (rows->strips.n == 0)
-        return;
-    if (!PEL_SMALL_CODE && rows->inside && rows->strips.n == 1 &&
-        pel_smooth_is_whole(rows->strips.strip, WINDOW)) {
-        paint_whole(rows, round);
-        return;
+    struct pel_smooth_batch *const b = &rows->batch;
+    const struct pel_span r = pel_smooth_crossed(s, rows->round.right);
+    const struct pel_span l = pel_smooth_crossed(s, -rows->round.left);
+    const int32_t left = l.x1 - l.x0, right = r.x1 - r.x0;
+    const struct pel_smooth_bytes bytes = {to + left, 1, 0};
+    if (r.x0 + l.x0 < 0 ||
+        left + right > b->coverage + PEL_SMOOTH_BATCH_BYTES - to)
+        return NULL;
+    pel_smooth_whole_side(s, rows->round.right, &bytes);
+    put_left(rows, s, to, left);
+    b->at.full[b->n] = (struct pel_span){-l.x0, r.x0};
+    b->count[2 * b->n] = (uint8_t)left;
+    b->count[2 * b->n + 1] = (uint8_t)right;
+    b->n++;
+    return to + left + right;
+}
+
+int32_t pel_smooth_rows_batch(struct pel_smooth_rows *rows, int32_t end)
+{
+    struct pel_smooth_batch *const b = &rows->batch;
+    struct pel_smooth_strip s;
+    uint8_t *to = b->coverage;
+    b->y = rows->rows.x0;
+    b->n = 0;
+    while (
+        b->n < PEL_SMOOTH_BATCH_ROWS && rows->rows.x0 < end &&
+        pel_smooth_disc_strip(&rows->disc, &rows->round, rows->rows.x0, &s)) {
+        to = add_row(rows, &s, to);
+        if (!to)
+            break;
+        rows->disc.at = rows->disc.next;
+        rows->rows.x0++;
     }
-    find_parts(rows, round, &p);
-    if (p.height == 32768 || pel_smooth_empty(&p.full))
-        paint_parts(rows, round, &p);
-    paint_even(rows, &p);
-    paint_left(rows, -round->left, &p.left);
-    paint_right(rows, round->right, &p.right);
+    if (!rows->inside)
+        pel_smooth_clip_batch(b, &rows->smooth.target->clip);
+    return b->n;
+}
+
+static void cover(const void *shape, int32_t x, int32_t n, uint8_t *to)
+{
+    const struct pel_smooth_rows *const rows = shape;
+    const struct pel_span columns = {x, x + n};
+    uint16_t sum[PEL_SMOOTH_PIXELS];
+    for (int32_t i = 0; i < n; i++)
+        sum[i] = 0;
+    pel_smooth_disc_add(&rows->disc, &rows->round, rows->rows.x0 - 1, &columns,
+                        sum);
+    for (int32_t i = 0; i < n; i++)
+        to[i] = pel_smooth_coverage(sum[i]);
+}
+
+void pel_smooth_rows_pass(struct pel_smooth_rows *rows)
+{
+    const struct pel_rect *const clip = &rows->smooth.target->clip;
+    struct pel_span reach[2];
+    pel_smooth_disc_reach(&rows->disc, &rows->round, rows->rows.x0++, reach);
+    rows->rest.x0 = pel_max(-reach[1].x1, clip->x0);
+    rows->rest.x1 = pel_min(reach[0].x1, clip->x1);
+    pel_smooth_disc_go(&rows->disc, &rows->round, rows->rows.x0);
+}
+
+void pel_smooth_rows_rest(struct pel_smooth_rows *rows,
+                          struct pel_smooth_columns *columns)
+{
+    rows->batch.y = rows->rows.x0 - 1;
+    rows->batch.n = 0;
+    if (rows->rest.x0 < rows->rest.x1)
+        pel_smooth_cover(columns, &rows->batch);
+    rows->rest = columns->left;
+}
+
+static void rest_of_row(struct pel_smooth_rows *rows)
+{
+    struct pel_span r[2];
+    pel_smooth_disc_reach(&rows->disc, &rows->round, rows->rows.x0 - 1, r);
+    const struct pel_span crossed[2] = {{-r[1].x1, -r[1].x0}, r[0]};
+    struct pel_smooth_columns c = {rows->rest, crossed, 2, cover, rows};
+    pel_smooth_rows_rest(rows, &c);
+}
+
+/* The next batch; false at the end. */
+static PEL_NOINLINE_32 bool next_batch(struct pel_smooth_rows *rows)
+{
+    if (rows->rest.x0 >= rows->rest.x1) {
+        if (rows->rows.x0 >= rows->rows.x1)
+            return false;
+        if (pel_smooth_rows_batch(rows, rows->rows.x1) > 0)
+            return true;
+        pel_smooth_rows_pass(rows);
+    }
+    rest_of_row(rows);
+    return true;
+}
+
+void pel_smooth_rows_paint(struct pel_smooth_rows *rows)
+{
+    struct pel_smooth_batch *const b = &rows->batch;
+    const int32_t n = b->n;
+    pel_smooth_paint_batch(&rows->smooth, b);
+    b->n -= n > 0 && 2 * (b->y + n - 1) == rows->image_y;
+    if (rows->twins)
+        pel_smooth_paint_upwards(&rows->smooth, b, rows->image_y - b->y);
+    b->n = n;
+}
+
+/* Is some of the round in the clip; all of it, left and right? */
+static bool is_beside(const struct pel_smooth_round *round,
+                      const struct pel_rect *clip)
+{
+    return clip->x0 >= clip->x1 ||
+           pel_pixel_of(round->right + round->radius) < clip->x0 ||
+           pel_pixel_of(round->left - round->radius) >= clip->x1;
+}
+
+static bool is_inside(const struct pel_smooth_round *round,
+                      const struct pel_rect *clip)
+{
+    return pel_pixel_of(round->left - round->radius) >= clip->x0 &&
+           pel_pixel_of(round->right + round->radius) < clip->x1;
+}
+
+/* The rows that are to be seen, or half of them and their images. */
+static void find_rows(struct pel_smooth_rows *rows, const struct pel_rect *clip)
+{
+    const struct pel_smooth_round *const round = &rows->round;
+    const int32_t top = pel_pixel_of(round->top - round->radius);
+    const int32_t bottom = pel_pixel_of(round->bottom + round->radius + 255);
+    const int32_t sum = round->top + round->bottom;
+    struct pel_span *const seen = &rows->rows;
+    seen->x0 = pel_max(top, clip->y0);
+    seen->x1 = pel_min(bottom, clip->y1);
+    rows->image_y = pel_pixel_of(sum) - 1;
+    rows->twins = (sum & 255) == 0 && seen->x0 == top && seen->x1 == bottom;
+    if (rows->twins)
+        seen->x1 = (rows->image_y >> 1) + 1;
 }
 
 bool pel_smooth_rows_begin(struct pel_smooth_rows *rows,
@@ -181,27 +275,16 @@ bool pel_smooth_rows_begin(struct pel_smooth_rows *rows,
                            const struct pel_smooth_round *round,
                            const struct pel_paint *paint)
 {
-    const struct pel_rect *const clip = &surface->clip;
-    const int32_t top = pel_pixel_of(round->top - round->radius);
-    const int32_t bottom = pel_pixel_of(round->bottom + round->radius + 255);
-    const int32_t sum = round->top + round->bottom;
-    struct pel_span *const seen = &rows->rows;
-    rows->paint = pel_smooth_paint;
-    seen->x0 = pel_max(top, clip->y0);
-    seen->x1 = pel_min(bottom, clip->y1);
-    rows->image_y = pel_pixel_of(sum) - 1;
-    rows->twins = (sum & 255) == 0 && seen->x0 == top && seen->x1 == bottom;
-    rows->inside = pel_pixel_of(round->left - round->radius) >= clip->x0 &&
-                   pel_pixel_of(round->right + round->radius) < clip->x1;
+    rows->round = *round;
+    find_rows(rows, &surface->clip);
+    rows->inside = is_inside(round, &surface->clip);
     rows->twin_columns = ((round->left + round->right) & 255) == 0;
-    if (rows->twins)
-        seen->x1 = (rows->image_y >> 1) + 1;
-    if (seen->x0 >= seen->x1 || clip->x0 >= clip->x1 ||
-        pel_pixel_of(round->right + round->radius) < clip->x0 ||
-        pel_pixel_of(round->left - round->radius) >= clip->x1 ||
+    rows->rest = (struct pel_span){0, 0};
+    if (rows->rows.x0 >= rows->rows.x1 || is_beside(round, &surface->clip) ||
         !pel_smooth_begin(&rows->smooth, surface, paint))
         return false;
-    pel_smooth_strips_start(&rows->strips, round, seen->x0);
+    pel_smooth_circle_set(&rows->disc.circle, round->radius);
+    pel_smooth_disc_go(&rows->disc, round, rows->rows.x0);
     return true;
 }
 
@@ -212,8 +295,6 @@ void pel_smooth_round(const struct pel_surface *surface,
     struct pel_smooth_rows rows;
     if (!pel_smooth_rows_begin(&rows, surface, round, paint))
         return;
-    for (; rows.rows.x0 < rows.rows.x1; rows.rows.x0++) {
-        pel_smooth_strips_row(&rows.strips, round, rows.rows.x0);
-        pel_smooth_rows_paint(&rows, round);
-    }
+    while (next_batch(&rows))
+        pel_smooth_rows_paint(&rows);
 }

@@ -1,20 +1,35 @@
-/* Paints smooth rounds (round_strips.h). */
+/* The rows of smooth rounds: of a disc, or of one that is pulled apart to a
+ * rounded rectangle. */
 #ifndef PEL_SMOOTH_ROUND_ROWS_H
 #define PEL_SMOOTH_ROUND_ROWS_H
 
-#include "round_strips.h"
-#include "smooth.h"
+#include "disc_side.h"
+#include "smooth_row.h"
+
+/* The centres of its four quarters, 1/256 px. */
+struct pel_smooth_round {
+    int32_t left, right, top, bottom; /* left <= right, top <= bottom */
+    int32_t radius;
+};
+
+/* A circle around each of them, row by row. */
+struct pel_smooth_disc {
+    struct pel_smooth_circle circle;
+    int32_t at, next; /* where it is at the upper end of a row, and at the lower
+                         one of a whole strip */
+};
 
 struct pel_smooth_rows {
-    struct pel_smooth smooth;
-    struct pel_smooth_strips strips;
+    struct pel_smooth smooth; /* first */
+    struct pel_smooth_round round;
+    struct pel_smooth_disc disc;
     struct pel_span rows; /* that are left */
+    struct pel_span rest; /* columns of the row above them that are left */
     int32_t image_y;      /* a row and its image add up to it */
     bool twins;           /* rows are painted with their images */
-    bool inside;          /* no column is clipped away */
     bool twin_columns;    /* the left side mirrors the right one, by columns */
-    void (*paint)(struct pel_smooth *smooth, const struct pel_smooth_row *row);
-    uint8_t coverage[2 * PEL_SMOOTH_WINDOW];
+    bool inside;          /* no column is clipped away */
+    struct pel_smooth_batch batch;
 };
 
 /* A round of legal coordinates; false: nothing is visible. */
@@ -23,33 +38,40 @@ bool pel_smooth_rows_begin(struct pel_smooth_rows *rows,
                            const struct pel_smooth_round *round,
                            const struct pel_paint *paint);
 
-/* Paints what the strips hold of the first row that is left. */
-void pel_smooth_rows_paint(struct pel_smooth_rows *rows,
-                           const struct pel_smooth_round *round);
+/* Sets `at` for row y. */
+void pel_smooth_disc_go(struct pel_smooth_disc *disc,
+                        const struct pel_smooth_round *round, int32_t y);
 
-/* Paints a part of a row, and its image, if there is one. */
-void pel_smooth_rows_put(struct pel_smooth_rows *rows,
-                         struct pel_smooth_row *row);
+/* Sets the strip of row y, which is next, if the circle crosses the row from
+ * its upper end to the lower one on either side; or false. */
+bool pel_smooth_disc_strip(struct pel_smooth_disc *disc,
+                           const struct pel_smooth_round *round, int32_t y,
+                           struct pel_smooth_strip *strip);
 
-/* How many columns a window takes. */
-static inline int32_t pel_smooth_window(const struct pel_span *columns)
-{
-    return pel_max(pel_min(columns->x1 - columns->x0, PEL_SMOOTH_WINDOW), 0);
-}
+/* The columns that the sides cross in row y: of the right one, and of the left
+ * one in the mirrored picture. */
+void pel_smooth_disc_reach(const struct pel_smooth_disc *disc,
+                           const struct pel_smooth_round *round, int32_t y,
+                           struct pel_span reach[2]);
 
-/* What lies in x0 up to x1. */
-static inline struct pel_span pel_smooth_clipped(struct pel_span span,
-                                                 int32_t x0, int32_t x1)
-{
-    span.x0 = pel_max(span.x0, x0);
-    span.x1 = pel_min(span.x1, x1);
-    return span;
-}
+/* Adds the areas inside, 2^-15 px modulo 2^16, in at most PEL_SMOOTH_PIXELS
+ * columns of row y. */
+void pel_smooth_disc_add(const struct pel_smooth_disc *disc,
+                         const struct pel_smooth_round *round, int32_t y,
+                         const struct pel_span *columns, uint16_t *sum);
 
-static inline bool pel_smooth_empty(const struct pel_span *span)
-{
-    return span->x0 >= span->x1;
-}
+/* Makes a batch of the next rows, up to `end`, that are whole strips: how many.
+ */
+int32_t pel_smooth_rows_batch(struct pel_smooth_rows *rows, int32_t end);
+
+/* Moves on by a row that is not, whose columns are left; and makes a batch of
+ * the first of them, the `left` ones. */
+void pel_smooth_rows_pass(struct pel_smooth_rows *rows);
+void pel_smooth_rows_rest(struct pel_smooth_rows *rows,
+                          struct pel_smooth_columns *columns);
+
+/* Paints the batch, and its image, if there is one. */
+void pel_smooth_rows_paint(struct pel_smooth_rows *rows);
 
 /* Begins and paints all. */
 void pel_smooth_round(const struct pel_surface *surface,

@@ -1,8 +1,13 @@
 #include "smooth.h"
 
+#include "smooth_565.h"
+
 #include <string.h>
 
-/* The surface before the surface: its pixels are the colors of a paint, as they
+/* Colors that are weighed at a time. */
+enum { COLORS = PEL_64BIT ? 64 : PEL_SMALL_CODE ? 4 : 8 };
+
+/* A surface before the surface: its pixels are the colors of a paint, as they
  * are. What is not painted has alpha 0. */
 static pel_color *color_at(const struct pel_surface *s, int32_t x)
 {
@@ -24,15 +29,11 @@ static void fill(const struct pel_spans *spans, pel_color color)
             *color_at(spans->surface, x) = color;
 }
 
-static const struct pel_surface *target_of(const struct pel_surface *surface)
-{
-    return ((const struct pel_smooth *)(const void *)surface)->target;
-}
-
 static void load(const struct pel_surface *surface, int32_t x, int32_t y,
                  int32_t n, pel_color *colors)
 {
-    const struct pel_surface *const target = target_of(surface);
+    const struct pel_surface *const target =
+        ((const struct pel_smooth_surface *)(const void *)surface)->target;
     target->format->load(target, x, y, n, colors);
 }
 
@@ -51,101 +52,165 @@ static const struct pel_format color_format = {.id = PEL_SMOOTH_FORMAT,
                                                .put = put,
                                                .load = load};
 
-static const struct pel_flat *flat_of(const struct pel_paint *paint)
-{
-    return paint->fill == pel_flat_fill ? (const void *)paint : NULL;
-}
-
 bool pel_smooth_begin(struct pel_smooth *smooth,
                       const struct pel_surface *surface,
                       const struct pel_paint *paint)
 {
     const bool legal = !surface->format || surface->format->put;
     PEL_ASSERT(legal);
-    smooth->surface = *surface;
-    smooth->surface.format = &color_format;
-    smooth->surface.pixels = smooth->colors;
-    smooth->target = surface;
-    smooth->paint = paint;
-    smooth->flat = flat_of(paint);
+    *smooth = (struct pel_smooth){surface, paint};
     return legal;
 }
 
-/* The color with alpha = round(alpha coverage / 255), 257 alpha being given:
- * pel_round_div255 in two steps. */
-static inline pel_color weighed(pel_color color, uint32_t alpha,
-                                uint32_t coverage)
+/* Into colors that are 0. */
+static PEL_NOINLINE_32 void take_colors(const struct pel_smooth *smooth,
+                                        int32_t x, int32_t y, int32_t n,
+                                        pel_color *colors)
 {
-    return (color & UINT32_C(0xFFFFFF)) |
-           (alpha * coverage + 0x8080) >> 16 << 24;
-}
-
-static PEL_NOINLINE_32 void take_colors(struct pel_smooth *smooth, int32_t x,
-                                        int32_t y, int32_t n)
-{
+    struct pel_smooth_surface buffer = {*smooth->target, smooth->target};
     const struct pel_span span = {x, x + n};
-    const struct pel_spans spans = {&smooth->surface, &span, y, 1, 0};
-    for (int32_t i = 0; i < n; i++)
-        smooth->colors[i] = 0;
-    smooth->surface.bounds = (struct pel_rect){x, y, x + n, y + 1};
+    const struct pel_spans spans = {&buffer.surface, &span, y, 1, 0};
+    buffer.surface.format = &color_format;
+    buffer.surface.pixels = colors;
+    buffer.surface.bounds = (struct pel_rect){x, y, x + n, y + 1};
     smooth->paint->fill(smooth->paint, &spans);
 }
 
-static inline void weigh_flat(struct pel_smooth *smooth, int32_t n,
-                              const uint8_t *coverage)
+/* The paint, if it is one color; or NULL. */
+static const struct pel_flat *flat_of(const struct pel_paint *paint)
 {
-    const pel_color color = smooth->flat->color;
-    const uint32_t alpha = 257 * pel_alpha(color);
-    for (pel_color *out = smooth->colors; n > 0; n--)
-        *out++ = weighed(color, alpha, *coverage++);
+    return paint->fill == pel_flat_fill ? (const void *)paint : NULL;
 }
 
-static inline void weigh_colors(struct pel_smooth *smooth, int32_t n,
-                                const uint8_t *coverage)
+/* Sets alpha = round(alpha coverage / 255). */
+static inline void weigh(pel_color *colors, int32_t n, const uint8_t *coverage)
 {
-    for (pel_color *out = smooth->colors; n > 0; n--, out++)
-        *out = weighed(*out, 257 * pel_alpha(*out), *coverage++);
+    for (; n > 0; n--, colors++)
+        *colors = (*colors & UINT32_C(0xFFFFFF)) |
+                  pel_round_div255(pel_alpha(*colors) * *coverage++) << 24;
+}
+
+static void set_colors(pel_color *colors, int32_t n, pel_color color)
+{
+    for (; n > 0; n--)
+        *colors++ = color;
 }
 
 /* At most as many pixels as the buffer has. */
-static PEL_HOT void paint_part(struct pel_smooth *smooth, int32_t x, int32_t y,
-                               int32_t n, const uint8_t *coverage)
+static void paint_part(const struct pel_smooth *smooth, int32_t x, int32_t y,
+                       int32_t n, const uint8_t *coverage)
 {
+    const struct pel_flat *const flat = flat_of(smooth->paint);
     const struct pel_surface *const target = smooth->target;
-    if (smooth->flat) {
-        weigh_flat(smooth, n, coverage);
-    } else {
-        take_colors(smooth, x, y, n);
-        weigh_colors(smooth, n, coverage);
-    }
+    pel_color colors[COLORS];
+    set_colors(colors, n, flat ? flat->color : 0);
+    if (!flat)
+        take_colors(smooth, x, y, n, colors);
+    weigh(colors, n, coverage);
     if (target->format)
-        target->format->put(target, x, y, n, smooth->colors);
+        target->format->put(target, x, y, n, colors);
 }
 
 /* Without the pixels of 0 at both ends. */
-static PEL_HOT void paint_edge(struct pel_smooth *smooth, int32_t x, int32_t y,
-                               int32_t n, const uint8_t *coverage)
+static void paint_run(const struct pel_smooth *smooth, int32_t x, int32_t y,
+                      int32_t n, const uint8_t *coverage)
 {
     for (; n > 0 && coverage[n - 1] == 0; n--)
         ;
     for (; n > 0 && *coverage == 0; n--, x++)
         coverage++;
     for (int32_t k; n > 0; n -= k, x += k, coverage += k) {
-        k = pel_min(n, PEL_SMOOTH_PIXELS);
+        k = pel_min(n, COLORS);
         paint_part(smooth, x, y, k, coverage);
     }
 }
 
-void pel_smooth_paint(struct pel_smooth *smooth,
+static PEL_NOINLINE_32 void paint_colors(const struct pel_smooth *smooth,
+                                         const struct pel_smooth_runs *runs)
+{
+    const uint8_t *coverage = runs->coverage;
+    int32_t y = runs->y;
+    for (int32_t i = 0; i < 2 * runs->n; i++) {
+        const int32_t n = runs->count[i];
+        paint_run(smooth, runs->x[i] - (i & 1 ? 0 : n), y, n, coverage);
+        coverage += n;
+        y += i & 1 ? runs->step : 0;
+    }
+}
+
+static void paint_runs(const struct pel_smooth *smooth,
+                       const struct pel_smooth_runs *runs)
+{
+    const struct pel_flat *const flat = flat_of(smooth->paint);
+    if (flat && pel_smooth_is_565(smooth->target))
+        pel_smooth_mix_565(smooth->target, runs, flat->color);
+    else
+        paint_colors(smooth, runs);
+}
+
+static bool has_pixels(const struct pel_span *span, int32_t n)
+{
+    while (n > 0 && span->x0 >= span->x1) {
+        span++;
+        n--;
+    }
+    return n > 0;
+}
+
+/* The full pixels of n rows. */
+static PEL_NOINLINE_32 void paint_full(const struct pel_smooth *smooth,
+                                       int32_t y, int32_t n,
+                                       const struct pel_span *full)
+{
+    const struct pel_spans spans = {smooth->target, full, y, n, 1};
+    if (has_pixels(full, n))
+        smooth->paint->fill(smooth->paint, &spans);
+}
+
+static void paint_bytes(const struct pel_smooth *smooth,
+                        const struct pel_smooth_batch *b, int32_t y,
+                        int32_t step)
+{
+    const struct pel_smooth_runs runs = {y,       step,     b->n,
+                                         b->at.x, b->count, b->coverage};
+    paint_runs(smooth, &runs);
+}
+
+void pel_smooth_paint_batch(const struct pel_smooth *smooth,
+                            const struct pel_smooth_batch *b)
+{
+    paint_full(smooth, b->y, b->n, b->at.full);
+    paint_bytes(smooth, b, b->y, 1);
+}
+
+static void turn_over(struct pel_span *span, int32_t n)
+{
+    for (int32_t i = 0; i < --n; i++) {
+        const struct pel_span other = span[i];
+        span[i] = span[n];
+        span[n] = other;
+    }
+}
+
+void pel_smooth_paint_upwards(const struct pel_smooth *smooth,
+                              struct pel_smooth_batch *b, int32_t y)
+{
+    turn_over(b->at.full, b->n);
+    paint_full(smooth, y - b->n + 1, b->n, b->at.full);
+    turn_over(b->at.full, b->n);
+    paint_bytes(smooth, b, y, -1);
+}
+
+void pel_smooth_paint(const struct pel_smooth *smooth,
                       const struct pel_smooth_row *row)
 {
     const int32_t full = row->x + row->left;
     const struct pel_span span = {full, full + row->full};
-    const struct pel_spans spans = {smooth->target, &span, row->y, 1, 0};
-    if (row->full > 0)
-        smooth->paint->fill(smooth->paint, &spans);
-    paint_edge(smooth, row->x, row->y, row->left, row->coverage);
-    paint_edge(smooth, span.x1, row->y, row->right, row->coverage + row->left);
+    const uint8_t count[2] = {(uint8_t)row->left, (uint8_t)row->right};
+    const struct pel_smooth_runs runs = {row->y,   1,     1,
+                                         &span.x0, count, row->coverage};
+    paint_full(smooth, row->y, 1, &span);
+    paint_runs(smooth, &runs);
 }
 
 /* Takes up to `skip` pixels away: how many. */
@@ -174,14 +239,31 @@ static void cut_left(struct pel_smooth_row *r, int32_t begin)
     r->coverage += left + skip_pixels(&r->right, skip);
 }
 
-void pel_smooth_paint_clipped(struct pel_smooth *smooth,
-                              const struct pel_smooth_row *row)
+void pel_smooth_paint_clipped(const struct pel_smooth *smooth,
+                              const struct pel_smooth_row *row,
+                              const struct pel_rect *clip)
 {
-    const struct pel_rect *const clip = &smooth->surface.clip;
     struct pel_smooth_row r = *row;
     if (r.y < clip->y0 || r.y >= clip->y1)
         return;
     cut_right(&r, clip->x1);
     cut_left(&r, clip->x0);
     pel_smooth_paint(smooth, &r);
+}
+
+void pel_smooth_clip_batch(struct pel_smooth_batch *b,
+                           const struct pel_rect *clip)
+{
+    const uint8_t *from = b->coverage;
+    uint8_t *to = b->coverage;
+    for (int32_t i = 0; i < 2 * b->n; i++) {
+        int32_t n = b->count[i], x = b->at.x[i] - (i & 1 ? 0 : n);
+        b->count[i] = 0;
+        b->at.x[i] = pel_max(clip->x0, pel_min(b->at.x[i], clip->x1));
+        for (; n > 0; n--, x++, from++)
+            if (x >= clip->x0 && x < clip->x1) {
+                *to++ = *from;
+                b->count[i]++;
+            }
+    }
 }

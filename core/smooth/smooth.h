@@ -32,25 +32,48 @@
 PEL_BEGIN_DECLS
 
 /* Part of a row of a shape: `left` pixels with a coverage each, `full` ones of
- * 255, then `right` ones. Each number may be 0. */
+ * 255, then `right` ones. Each number may be 0; left and right are at most 255.
+ */
 struct pel_smooth_row {
     int32_t y, x;              /* px: the first one */
     int32_t left, full, right; /* px */
     const uint8_t *coverage;   /* of the left ones, then the right ones */
 };
 
+/* The room of a batch: rows, and bytes of coverage. */
+#if PEL_64BIT
+enum { PEL_SMOOTH_BATCH_ROWS = 16, PEL_SMOOTH_BATCH_BYTES = 128 };
+#elif PEL_SMALL_CODE
+enum { PEL_SMOOTH_BATCH_ROWS = 6, PEL_SMOOTH_BATCH_BYTES = 16 };
+#else
+enum { PEL_SMOOTH_BATCH_ROWS = 8, PEL_SMOOTH_BATCH_BYTES = 40 };
+#endif
+
+/* Rows one below the other. In each are pixels with a coverage before the full
+ * ones, and others behind them: two counts, and so many bytes. Where x0 > x1 no
+ * pixel is full. */
+struct pel_smooth_batch {
+    int32_t y, n;
+    union {
+        struct pel_span full[PEL_SMOOTH_BATCH_ROWS];
+        int32_t x[2 * PEL_SMOOTH_BATCH_ROWS];
+    } at;
+    uint8_t count[2 * PEL_SMOOTH_BATCH_ROWS];
+    uint8_t coverage[PEL_SMOOTH_BATCH_BYTES];
+};
+
+struct pel_smooth {
+    const struct pel_surface *target;
+    const struct pel_paint *paint;
+};
+
 /* The id of the buffer's format. Those of a dither and a mask are above it. */
 enum { PEL_SMOOTH_FORMAT = 253 };
 
-/* Pixels that are weighed at a time. */
-enum { PEL_SMOOTH_PIXELS = PEL_64BIT ? 64 : PEL_SMALL_CODE ? 4 : 8 };
-
-struct pel_smooth {
-    struct pel_surface surface; /* first: of `colors` */
+/* The surface that gets the colors of pixels which are weighed. */
+struct pel_smooth_surface {
+    struct pel_surface surface; /* first */
     const struct pel_surface *target;
-    const struct pel_paint *paint;
-    const struct pel_flat *flat; /* the paint, if it is one; or NULL */
-    pel_color colors[PEL_SMOOTH_PIXELS];
 };
 
 static inline bool pel_is_smooth(const struct pel_surface *surface)
@@ -62,7 +85,8 @@ static inline bool pel_is_smooth(const struct pel_surface *surface)
 static inline const uint8_t *pel_smooth_depth(const struct pel_surface *surface)
 {
     if (pel_is_smooth(surface))
-        surface = PEL_CAST_ADDRESS(const struct pel_smooth *, surface)->target;
+        surface = PEL_CAST_ADDRESS(const struct pel_smooth_surface *, surface)
+                      ->target;
     return surface->format->depth;
 }
 
@@ -75,11 +99,24 @@ bool pel_smooth_begin(struct pel_smooth *smooth,
 
 /* Paints a part of a row, which lies inside the clip. Its bytes are not used
  * after the call. No pixel may be painted twice. */
-void pel_smooth_paint(struct pel_smooth *smooth,
+void pel_smooth_paint(const struct pel_smooth *smooth,
                       const struct pel_smooth_row *row);
 
-/* The same of what is inside the clip. */
-void pel_smooth_paint_clipped(struct pel_smooth *smooth,
-                              const struct pel_smooth_row *row);
+/* The same of what is inside a clip, which is inside that of the surface. */
+void pel_smooth_paint_clipped(const struct pel_smooth *smooth,
+                              const struct pel_smooth_row *row,
+                              const struct pel_rect *clip);
+
+/* Paints rows, which lie inside the clip, or those of them that
+ * pel_smooth_clip_batch leaves: what is inside its columns. */
+void pel_smooth_paint_batch(const struct pel_smooth *smooth,
+                            const struct pel_smooth_batch *batch);
+void pel_smooth_clip_batch(struct pel_smooth_batch *batch,
+                           const struct pel_rect *clip);
+
+/* The same rows one above the other, from row y on: changes nothing in the end.
+ */
+void pel_smooth_paint_upwards(const struct pel_smooth *smooth,
+                              struct pel_smooth_batch *batch, int32_t y);
 PEL_END_DECLS
 #endif

@@ -12,11 +12,30 @@ struct body {
     struct pel_smooth_ends ends;
 };
 
-static void paint_part(struct pel_smooth *smooth,
-                       const struct pel_smooth_row *row)
+/* A row of the ring, and its image, if there is one. */
+static void paint_ring_row(const struct body *body, struct pel_smooth_row *row)
 {
-    struct body *const body = (struct body *)(void *)smooth;
-    pel_smooth_ends_paint(&body->ends, smooth, row);
+    const struct pel_smooth_rows *const rows = &body->ring.rows;
+    pel_smooth_ends_paint(&body->ends, &rows->smooth, row);
+    if (!rows->twins || rows->image_y == 2 * row->y)
+        return;
+    row->y = rows->image_y - row->y;
+    pel_smooth_ends_paint(&body->ends, &rows->smooth, row);
+}
+
+static void paint_batch(const struct body *body)
+{
+    const struct pel_smooth_batch *const b = &body->ring.rows.batch;
+    const uint8_t *coverage = b->coverage;
+    for (int32_t i = 0; i < b->n; i++) {
+        const struct pel_span *const full = &b->at.full[i];
+        const uint8_t *const count = b->count + 2 * i;
+        struct pel_smooth_row row = {b->y + i, full->x0 - count[0],
+                                     count[0], full->x1 - full->x0,
+                                     count[1], coverage};
+        paint_ring_row(body, &row);
+        coverage += count[0] + count[1];
+    }
 }
 
 /* The rows of less than half of a ring are those of a box around it. */
@@ -33,8 +52,8 @@ static PEL_NOINLINE void paint_body(const struct pel_surface *surface,
     if (!pel_smooth_ring_begin(&body.ring, &part, &ring, paint))
         return;
     pel_smooth_ends_set(&body.ends, arc, round);
-    body.ring.rows.paint = paint_part;
-    pel_smooth_ring_rows(&body.ring);
+    while (pel_smooth_ring_next(&body.ring))
+        paint_batch(&body);
 }
 
 /* What is painted near the ends. */
@@ -171,7 +190,7 @@ static PEL_NOINLINE int32_t paint_window(struct tips *tips, int32_t y,
 static void paint_columns(struct tips *tips, int32_t y,
                           const struct pel_span *columns)
 {
-    const struct pel_rect *const clip = &tips->smooth.surface.clip;
+    const struct pel_rect *const clip = &tips->smooth.target->clip;
     const int32_t end = pel_min(columns->x1, clip->x1);
     int32_t x = pel_max(columns->x0, clip->x0);
     while (x < end)

@@ -3,19 +3,28 @@
 #include "../base/divide.h"
 #include "../raster/edge.h"
 
+/* The next bit of a quotient. */
+#define ADD_BIT(n, d, q) \
+    do {                 \
+        n += n;          \
+        q += q;          \
+        if (n >= d) {    \
+            n -= d;      \
+            q++;         \
+        }                \
+    } while (0)
+
 /* floor(n 2^32 / d), n < d < 2^25. */
 static PEL_NOINLINE_32 uint32_t fraction(uint32_t n, uint32_t d)
 {
     if (PEL_64BIT || PEL_LONG_MULTIPLY)
         return pel_divide((uint64_t)n << 32, d);
     uint32_t q = 0;
-    for (int bits = 32; bits > 0; bits--) {
-        n += n;
-        q += q;
-        if (n >= d) {
-            n -= d;
-            q++;
-        }
+    for (int bits = 32; bits > 0; bits -= 4) {
+        ADD_BIT(n, d, q);
+        ADD_BIT(n, d, q);
+        ADD_BIT(n, d, q);
+        ADD_BIT(n, d, q);
     }
     return q;
 }
@@ -58,4 +67,33 @@ int64_t pel_smooth_step(const struct pel_point *a, const struct pel_point *b)
     const int64_t step =
         whole * (INT64_C(1) << 32) + fraction((uint32_t)rest, (uint32_t)dy);
     return b->x < a->x ? -step : step;
+}
+
+/* Of a pixel that the piece crosses. */
+static inline uint32_t area_in(const struct pel_smooth_piece *p, int32_t x)
+{
+    const int32_t a = p->lo >> 16, b = p->hi >> 16;
+    const uint32_t low = p->lo & 0xFFFF, high = p->hi & 0xFFFF;
+    const uint32_t full = p->height * (255 << 8);
+    if (a == b)
+        return full - (((low + high) >> 1) * p->height >> 8) * 255;
+    if (x == a)
+        return pel_smooth_corner(&p->rise, 65536 - low);
+    if (x == b)
+        return full - pel_smooth_corner(&p->rise, high);
+    return pel_smooth_between(&p->rise, 65536 - low) +
+           (uint32_t)(x - a - 1) * p->rise.value;
+}
+
+void pel_smooth_add(const struct pel_smooth_piece *p, uint32_t flip, int32_t x,
+                    int32_t n, uint32_t *area)
+{
+    for (; n > 0; n--, x++, area++) {
+        uint32_t v = p->height * (255 << 8);
+        if (x < p->lo >> 16)
+            continue;
+        if (x <= p->hi >> 16)
+            v = area_in(p, x);
+        *area += (v ^ flip) - flip;
+    }
 }

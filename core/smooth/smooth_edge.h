@@ -70,5 +70,28 @@ static inline uint32_t pel_smooth_between(const struct pel_rise *rise,
            (u * (rise->value >> 8 & 255) >> 7);
 }
 
+/* What an edge is in a row: from where to where it crosses it, in order of x,
+ * and how much of its height. */
+struct pel_smooth_piece {
+    int32_t lo, hi; /* px 2^-16 */
+    struct pel_rise rise;
+    uint32_t height; /* px 2^-16 */
+};
+
+/* Sets where it begins and ends, given both in any order. */
+static inline void pel_smooth_piece_set(struct pel_smooth_piece *p, int32_t a,
+                                        int32_t b)
+{
+    p->lo = pel_min(a, b);
+    p->hi = pel_max(a, b);
+}
+
+/* Adds 255 times the area right of a piece in n pixels from x on; takes it away
+ * where flip is all ones. Where a piece crosses no other pixel that is its
+ * height less the trapezoid left of it, whose middle is rounded down by half a
+ * unit of 2^-16 px: .0019. */
+void pel_smooth_add(const struct pel_smooth_piece *piece, uint32_t flip,
+                    int32_t x, int32_t n, uint32_t *area);
+
 PEL_END_DECLS
 #endif

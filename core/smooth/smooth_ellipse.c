@@ -220,7 +220,7 @@ static int32_t reach_of(const struct ellipse *e)
 
 static void paint_row(struct ellipse *e)
 {
-    const struct pel_rect *const clip = &e->smooth.surface.clip;
+    const struct pel_rect *const clip = &e->smooth.target->clip;
     const int32_t reach = reach_of(e);
     const int32_t last = pel_smooth_column(e->center.x, reach);
     const int32_t end = pel_min(last + 1, clip->x1);
@@ -246,7 +246,7 @@ static void set_ellipse(struct ellipse *e,
 
 static void paint_rows(struct ellipse *e)
 {
-    const struct pel_rect *const clip = &e->smooth.surface.clip;
+    const struct pel_rect *const clip = &e->smooth.target->clip;
     const int32_t top = pel_pixel_of(e->center.y - e->y.radius);
     const int32_t bottom = pel_pixel_of(e->center.y + e->y.radius + 255);
     const int32_t end = pel_min(bottom, clip->y1);

@@ -53,7 +53,7 @@ static void place(struct pel_smooth_sweep *w, int32_t edge)
 static void add_edge(struct pel_smooth_sweep *w, const struct pel_point *a,
                      const struct pel_point *b, int32_t winding)
 {
-    const struct pel_rect *const clip = &w->smooth.surface.clip;
+    const struct pel_rect *const clip = &w->smooth.target->clip;
     struct pel_smooth_edge *const e = &w->edge[w->count];
     const int32_t row = pel_max(pel_pixel_of(a->y), clip->y0);
     if (!is_seen(clip, a, b))
@@ -89,7 +89,7 @@ static int32_t take_sum(int32_t *sum)
 /* Where no right border lies inside the clip the row goes on to its end. */
 static void paint_row(struct pel_smooth_sweep *w, int32_t y)
 {
-    const struct pel_rect *const clip = &w->smooth.surface.clip;
+    const struct pel_rect *const clip = &w->smooth.target->clip;
     struct pel_smooth_part part;
     struct pel_span run = {w->lo, w->lo};
     int32_t area = 1 << 21, coverage = 0;
@@ -146,7 +146,7 @@ static void sweep_row(struct pel_smooth_sweep *w, int32_t y)
 
 static void sweep_rows(struct pel_smooth_sweep *w)
 {
-    const struct pel_rect *const clip = &w->smooth.surface.clip;
+    const struct pel_rect *const clip = &w->smooth.target->clip;
     int32_t y = clip->y0;
     if (w->count > 0)
         y = pel_max(y, pel_pixel_of(w->edge[w->order[0]].top));

@@ -2,150 +2,246 @@
 
 #include "ring_rows.h"
 
-enum { WINDOW = PEL_SMOOTH_WINDOW };
-
 /* A half of a row, from the axis on; that on the left in the mirrored picture.
  */
 struct half {
+    struct pel_smooth_strip disc, hole;
     int32_t center;
     bool left;
-    struct pel_span near; /* columns that the hole's side crosses, and .. */
-    struct pel_span full; /* .. with no full ones between them .. */
-    struct pel_span far;  /* .. that of the disc, in `near` */
 };
 
-/* The coverage of a window of columns, as in round_rows.c. */
-static PEL_NOINLINE uint32_t cross(const struct pel_smooth_ring_walk *ring,
-                                   int32_t center,
-                                   const struct pel_span *columns, uint8_t *to,
-                                   int32_t step)
+static bool find_half(struct pel_smooth_ring_walk *ring, int32_t y, bool left,
+                      struct half *h)
 {
-    uint16_t area[WINDOW], hole[WINDOW];
-    const int32_t n = pel_smooth_window(columns);
-    pel_smooth_strips_areas(&ring->rows.strips, center, columns->x0, n, area);
-    pel_smooth_strips_areas(&ring->hole, center, columns->x0, n, hole);
-    for (int32_t i = 0; i < n; i++, to += step)
-        *to = pel_smooth_coverage((uint32_t)(area[i] - hole[i]));
-    return (uint32_t)(area[0] - hole[0]);
-}
-
-static void find_half(const struct pel_smooth_ring_walk *ring, struct half *h,
-                      bool left)
-{
-    const struct pel_rect *const clip = &ring->rows.smooth.surface.clip;
-    const int32_t x0 = left ? -clip->x1 : clip->x0;
-    const int32_t x1 = left ? -clip->x0 : clip->x1;
+    const struct pel_smooth_round *const round = &ring->rows.round;
     h->left = left;
-    h->center = left ? -ring->outer.left : ring->outer.left;
-    h->near = pel_smooth_strips_side(&ring->hole, h->center);
-    h->far = pel_smooth_strips_side(&ring->rows.strips, h->center);
-    if (h->far.x0 <= h->near.x1 ||
-        pel_smooth_strips_height(&ring->rows.strips) != 32768)
-        h->near.x1 = h->far.x0 = h->far.x1;
-    h->full = (struct pel_span){h->near.x1, h->far.x0};
-    h->near = pel_smooth_clipped(h->near, x0, x1);
-    h->full = pel_smooth_clipped(h->full, x0, x1);
-    h->far = pel_smooth_clipped(h->far, x0, x1);
+    h->center = left ? -round->left : round->left;
+    return pel_smooth_disc_strip(&ring->rows.disc, round, y, &h->disc) &&
+           pel_smooth_disc_strip(&ring->hole, round, y, &h->hole);
 }
 
-/* The coverage of a window of columns whose first one is the nth of the right
- * half's bytes. */
-static void cross_half(struct pel_smooth_ring_walk *ring, const struct half *h,
-                       const struct pel_span *columns, int32_t first)
+/* Are there full pixels between the sides, in any column? */
+static bool is_apart(const struct half *h)
 {
-    uint8_t *const middle = ring->rows.coverage + WINDOW;
-    if (pel_smooth_empty(columns))
-        return;
+    return h->disc.at_far - h->hole.at_near >= 65536;
+}
+
+/* Bytes that a half takes, wherever its centre is. */
+static int32_t room_of(const struct half *h)
+{
+    const int32_t disc = h->disc.at_near - h->disc.at_far;
+    const int32_t hole = h->hole.at_near - h->hole.at_far;
+    if (is_apart(h))
+        return (disc >> 16) + (hole >> 16) + 4;
+    return ((h->disc.at_near - h->hole.at_far) >> 16) + 2;
+}
+
+/* The coverage of columns that may belong to both sides. */
+static void put_both(const struct half *h, const struct pel_span *columns,
+                     uint8_t *to)
+{
+    uint16_t area[PEL_SMOOTH_PIXELS], hole[PEL_SMOOTH_PIXELS];
+    const int32_t step = h->left ? -1 : 1;
+    to += h->left ? columns->x1 - columns->x0 - 1 : 0;
+    for (int32_t x = columns->x0, n; x < columns->x1; x += n) {
+        n = pel_min(columns->x1 - x, PEL_SMOOTH_PIXELS);
+        pel_smooth_strip_areas(&h->disc, h->center, x, n, area);
+        pel_smooth_strip_areas(&h->hole, h->center, x, n, hole);
+        for (int32_t i = 0; i < n; i++, to += step)
+            *to = pel_smooth_coverage((uint32_t)(area[i] - hole[i]));
+    }
+}
+
+static void add_both(struct pel_smooth_batch *b, const struct half *h,
+                     uint8_t *to)
+{
+    const struct pel_span hole = pel_smooth_crossed(&h->hole, h->center);
+    const struct pel_span disc = pel_smooth_crossed(&h->disc, h->center);
+    const struct pel_span both = {hole.x0, disc.x1};
+    const int32_t end = h->left ? -both.x0 : both.x1;
+    put_both(h, &both, to);
+    b->count[2 * b->n] = (uint8_t)(both.x1 - both.x0);
+    b->count[2 * b->n + 1] = 0;
+    b->at.full[b->n++] = (struct pel_span){end, end};
+}
+
+static void add_sides(struct pel_smooth_batch *b, const struct half *h,
+                      uint8_t *to)
+{
+    const struct pel_span hole = pel_smooth_crossed(&h->hole, h->center);
+    const struct pel_span disc = pel_smooth_crossed(&h->disc, h->center);
+    const int32_t inner = hole.x1 - hole.x0, outer = disc.x1 - disc.x0;
+    const int32_t step = h->left ? -1 : 1;
+    struct pel_smooth_bytes bytes = {to, step, 255};
+    uint8_t *const count = b->count + 2 * b->n;
+    bytes.first += h->left ? inner + outer - 1 : 0;
+    pel_smooth_whole_side(&h->hole, h->center, &bytes);
+    bytes.first += inner * step;
+    bytes.flip = 0;
+    pel_smooth_whole_side(&h->disc, h->center, &bytes);
+    count[h->left] = (uint8_t)inner;
+    count[!h->left] = (uint8_t)outer;
+    b->at.full[b->n] = (struct pel_span){hole.x1, disc.x0};
     if (h->left)
-        cross(ring, h->center, columns, middle - 1 - first, -1);
+        b->at.full[b->n] = (struct pel_span){-disc.x0, -hole.x1};
+    b->n++;
+}
+
+static void add_half(struct pel_smooth_batch *b, const struct half *h,
+                     uint8_t *to)
+{
+    if (is_apart(h))
+        add_sides(b, h, to);
     else
-        cross(ring, h->center, columns, middle + first, 1);
+        add_both(b, h, to);
 }
 
-/* Paints n near columns, full ones and k far ones, which are taken away. */
-static void paint_part(struct pel_smooth_ring_walk *ring, struct half *h,
-                       int32_t n, int32_t full, int32_t k)
-{
-    const int32_t x = n ? h->near.x0 : full ? h->full.x0 : h->far.x0;
-    uint8_t *const middle = ring->rows.coverage + WINDOW;
-    struct pel_smooth_row row = {ring->rows.rows.x0, x, n, full, k, middle - n};
-    if (h->left)
-        row = (struct pel_smooth_row){row.y, -x - n - full - k, k, full,
-                                      n,     middle - k};
-    if (n)
-        cross_half(ring, h, &h->near, -n);
-    if (k)
-        cross_half(ring, h, &h->far, 0);
-    pel_smooth_rows_put(&ring->rows, &row);
-    h->near.x0 += n;
-    h->far.x0 += k;
-}
-
-static void paint_half(struct pel_smooth_ring_walk *ring, struct half *h)
-{
-    const int32_t full = pel_max(h->full.x1 - h->full.x0, 0);
-    while (h->near.x1 - h->near.x0 > WINDOW)
-        paint_part(ring, h, WINDOW, 0, 0);
-    paint_part(ring, h, pel_smooth_window(&h->near), full,
-               pel_smooth_window(&h->far));
-    while (!pel_smooth_empty(&h->far))
-        paint_part(ring, h, 0, 0, pel_smooth_window(&h->far));
-}
-
-static uint32_t first_area(const struct pel_smooth_ring_walk *ring,
-                           const struct half *h)
-{
-    const struct pel_span column = {h->near.x0, h->near.x0 + 1};
-    uint8_t unused;
-    return cross(ring, h->center, &column, &unused, 1);
-}
-
-/* The column in the middle, where it belongs to both halves. */
-static void paint_shared(struct pel_smooth_ring_walk *ring, struct half *l,
-                         struct half *r)
+/* A batch of halves of the next rows, up to `end`, of those that both circles
+ * cross as whole strips. */
+static void add_halves(struct pel_smooth_ring_walk *ring, int32_t end,
+                       bool left)
 {
     struct pel_smooth_rows *const rows = &ring->rows;
-    struct pel_smooth_row row = {rows->rows.x0, r->near.x0, 1, 0, 0,
-                                 rows->coverage};
-    const uint32_t height = pel_smooth_strips_height(&rows->strips) -
-                            pel_smooth_strips_height(&ring->hole);
-    *rows->coverage =
-        pel_smooth_coverage(first_area(ring, l) + first_area(ring, r) - height);
-    pel_smooth_rows_put(rows, &row);
-    l->near.x0++;
-    r->near.x0++;
-}
-
-static void paint_row(struct pel_smooth_ring_walk *ring)
-{
-    struct half l, r;
-    if (ring->rows.strips.n == 0 || ring->hole.n == 0) {
-        pel_smooth_rows_paint(&ring->rows, &ring->outer);
-        return;
+    struct pel_smooth_batch *const b = &rows->batch;
+    uint8_t *to = b->coverage;
+    int32_t room = PEL_SMOOTH_BATCH_BYTES;
+    struct half h;
+    b->y = rows->rows.x0;
+    b->n = 0;
+    while (b->n < PEL_SMOOTH_BATCH_ROWS && rows->rows.x0 < end &&
+           find_half(ring, rows->rows.x0, left, &h)) {
+        room -= room_of(&h);
+        if (h.hole.at_far < 65536 || room < 0)
+            break;
+        add_half(b, &h, to);
+        to += b->count[2 * b->n - 2] + b->count[2 * b->n - 1];
+        rows->disc.at = rows->disc.next;
+        ring->hole.at = ring->hole.next;
+        rows->rows.x0++;
     }
-    find_half(ring, &l, true);
-    find_half(ring, &r, false);
-    if (-1 - l.near.x0 == r.near.x0 && !pel_smooth_empty(&r.near))
-        paint_shared(ring, &l, &r);
-    paint_half(ring, &l);
-    paint_half(ring, &r);
+    if (!rows->inside)
+        pel_smooth_clip_batch(b, &rows->smooth.target->clip);
 }
 
-static bool is_legal(const struct pel_ring_shape *ring)
+/* The left halves of rows whose right ones have been filled. */
+static void fill_again(struct pel_smooth_ring_walk *ring)
 {
-    return pel_point_legal(ring->center) && pel_radius_legal(ring->inner) &&
-           pel_radius_legal(ring->outer);
+    ring->rows.rows.x0 = ring->filled.x0;
+    ring->rows.disc.at = ring->at[0];
+    ring->hole.at = ring->at[1];
+    add_halves(ring, ring->filled.x1, true);
 }
 
-void pel_smooth_ring_rows(struct pel_smooth_ring_walk *ring)
+static void turn_round(uint8_t *from, uint8_t *end)
 {
-    struct pel_span *const rows = &ring->rows.rows;
-    pel_smooth_strips_start(&ring->hole, &ring->inner, rows->x0);
-    for (; rows->x0 < rows->x1; rows->x0++) {
-        pel_smooth_strips_row(&ring->rows.strips, &ring->outer, rows->x0);
-        pel_smooth_strips_row(&ring->hole, &ring->inner, rows->x0);
-        paint_row(ring);
+    while (from < --end) {
+        const uint8_t first = *from;
+        *from++ = *end;
+        *end = first;
     }
+}
+
+/* The same by mirroring the batch: ends of columns add up to `sum`. */
+static void mirror(struct pel_smooth_batch *b, int32_t sum)
+{
+    uint8_t *from = b->coverage;
+    for (int32_t i = 0; i < b->n; i++) {
+        const struct pel_span full = b->at.full[i];
+        uint8_t *const count = b->count + 2 * i, left = count[0];
+        uint8_t *const end = from + count[0] + count[1];
+        turn_round(from, end);
+        from = end;
+        count[0] = count[1];
+        count[1] = left;
+        b->at.full[i] = (struct pel_span){sum - full.x1, sum - full.x0};
+    }
+}
+
+static void cover(const void *shape, int32_t x, int32_t n, uint8_t *to)
+{
+    const struct pel_smooth_ring_walk *const ring = shape;
+    const struct pel_smooth_round *const round = &ring->rows.round;
+    const struct pel_span columns = {x, x + n};
+    uint16_t sum[PEL_SMOOTH_PIXELS];
+    for (int32_t i = 0; i < n; i++)
+        sum[i] = 0;
+    pel_smooth_disc_add(&ring->hole, round, ring->rows.rows.x0 - 1, &columns,
+                        sum);
+    for (int32_t i = 0; i < n; i++)
+        sum[i] = (uint16_t)-sum[i];
+    pel_smooth_disc_add(&ring->rows.disc, round, ring->rows.rows.x0 - 1,
+                        &columns, sum);
+    for (int32_t i = 0; i < n; i++)
+        to[i] = pel_smooth_coverage(sum[i]);
+}
+
+/* A batch of what is left of a row. */
+static void rest_of_row(struct pel_smooth_ring_walk *ring)
+{
+    struct pel_smooth_rows *const rows = &ring->rows;
+    struct pel_span d[2], h[2];
+    pel_smooth_disc_reach(&rows->disc, &rows->round, rows->rows.x0 - 1, d);
+    pel_smooth_disc_reach(&ring->hole, &rows->round, rows->rows.x0 - 1, h);
+    const struct pel_span crossed[4] = {
+        {-d[1].x1, -d[1].x0}, {-h[1].x1, -h[1].x0}, h[0], d[0]};
+    struct pel_smooth_columns c = {rows->rest, crossed, 4, cover, ring};
+    pel_smooth_rows_rest(rows, &c);
+}
+
+/* Rows with a hole, or without, end there. */
+static bool has_hole(const struct pel_smooth_ring_walk *ring, int32_t *end)
+{
+    const int32_t y = ring->rows.rows.x0, radius = ring->hole.circle.radius;
+    const int32_t top = pel_pixel_of(ring->rows.round.top - radius);
+    const int32_t bottom = pel_pixel_of(ring->rows.round.top + radius + 255);
+    *end = ring->rows.rows.x1;
+    if (y < bottom)
+        *end = pel_min(*end, y < top ? top : bottom);
+    return y >= top && y < bottom;
+}
+
+/* A batch of whole strips, if the next row is one. */
+static bool add_rows(struct pel_smooth_ring_walk *ring)
+{
+    struct pel_smooth_rows *const rows = &ring->rows;
+    int32_t end;
+    if (!has_hole(ring, &end))
+        return pel_smooth_rows_batch(rows, end) > 0;
+    ring->at[0] = rows->disc.at;
+    ring->at[1] = ring->hole.at;
+    ring->filled.x0 = rows->rows.x0;
+    add_halves(ring, end, false);
+    ring->filled.x1 = rows->rows.x0;
+    return rows->batch.n > 0;
+}
+
+static void add_left(struct pel_smooth_ring_walk *ring)
+{
+    struct pel_smooth_rows *const rows = &ring->rows;
+    if (rows->twin_columns && rows->inside)
+        mirror(&rows->batch, (2 * rows->round.left) >> 8);
+    else
+        fill_again(ring);
+    ring->filled.x0 = ring->filled.x1;
+}
+
+PEL_NOINLINE_32 bool pel_smooth_ring_next(struct pel_smooth_ring_walk *ring)
+{
+    struct pel_smooth_rows *const rows = &ring->rows;
+    if (ring->filled.x0 < ring->filled.x1) {
+        add_left(ring);
+        return true;
+    }
+    if (rows->rest.x0 >= rows->rest.x1) {
+        if (rows->rows.x0 >= rows->rows.x1)
+            return false;
+        if (add_rows(ring))
+            return true;
+        pel_smooth_rows_pass(rows);
+        pel_smooth_disc_go(&ring->hole, &rows->round, rows->rows.x0);
+    }
+    rest_of_row(ring);
+    return true;
 }
 
 bool pel_smooth_ring_begin(struct pel_smooth_ring_walk *ring,
@@ -154,10 +250,19 @@ bool pel_smooth_ring_begin(struct pel_smooth_ring_walk *ring,
                            const struct pel_paint *paint)
 {
     const struct pel_point c = shape->center;
-    ring->outer = (struct pel_smooth_round){c.x, c.x, c.y, c.y, shape->outer};
-    ring->inner = ring->outer;
-    ring->inner.radius = shape->inner;
-    return pel_smooth_rows_begin(&ring->rows, surface, &ring->outer, paint);
+    const struct pel_smooth_round round = {c.x, c.x, c.y, c.y, shape->outer};
+    ring->filled = (struct pel_span){0, 0};
+    if (!pel_smooth_rows_begin(&ring->rows, surface, &round, paint))
+        return false;
+    pel_smooth_circle_set(&ring->hole.circle, shape->inner);
+    pel_smooth_disc_go(&ring->hole, &ring->rows.round, ring->rows.rows.x0);
+    return true;
+}
+
+static bool is_legal(const struct pel_ring_shape *ring)
+{
+    return pel_point_legal(ring->center) && pel_radius_legal(ring->inner) &&
+           pel_radius_legal(ring->outer);
 }
 
 void pel_smooth_ring(const struct pel_surface *surface,
@@ -168,7 +273,9 @@ void pel_smooth_ring(const struct pel_surface *surface,
     struct pel_smooth_ring_walk ring;
     PEL_ASSERT(legal);
     PEL_HINT(pel_in_subpixels(&shape->center, 1, shape->outer));
-    if (legal && shape->outer > shape->inner &&
-        pel_smooth_ring_begin(&ring, surface, shape, paint))
-        pel_smooth_ring_rows(&ring);
+    if (!legal || shape->outer <= shape->inner ||
+        !pel_smooth_ring_begin(&ring, surface, shape, paint))
+        return;
+    while (pel_smooth_ring_next(&ring))
+        pel_smooth_rows_paint(&ring.rows);
 }

@@ -104,7 +104,7 @@ static uint32_t area_at(const struct pel_smooth_edge *e, int32_t x, uint32_t h)
 static void add_piece(struct pel_smooth_sweep *w,
                       const struct pel_smooth_edge *e, uint32_t h, int32_t sign)
 {
-    const struct pel_rect *const clip = &w->smooth.surface.clip;
+    const struct pel_rect *const clip = &w->smooth.target->clip;
     const int32_t a = pel_min(e->x0, e->x1) >> 16;
     const int32_t b = pel_max(e->x0, e->x1) >> 16;
     const int32_t from = pel_max(a, clip->x0), end = pel_min(b + 1, clip->x1);

@@ -135,7 +135,7 @@ static PEL_NOINLINE int32_t paint_window(struct caps *caps,
 
 static void paint_cap_row(struct caps *caps, const struct capsule *c, int32_t y)
 {
-    const struct pel_rect *const clip = &caps->smooth.surface.clip;
+    const struct pel_rect *const clip = &caps->smooth.target->clip;
     const int32_t end = pel_min(c->box.x1, clip->x1);
     struct sides sides;
     int32_t x = pel_max(c->box.x0, clip->x0);

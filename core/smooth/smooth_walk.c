@@ -1,183 +1,163 @@
 #include "smooth_walk.h"
 
-#include "../raster/edge.h"
+#include "smooth_row.h"
 
-/* Bytes of a part of a row. */
-enum { BYTES = 2 * PEL_SMOOTH_WIDE };
+/* A row leaves the rest of its batch to other things. */
+typedef char
+    pel_smooth_row_fits[sizeof(int32_t[4]) +
+                                    sizeof(struct pel_smooth_above[2]) <=
+                                offsetof(struct pel_smooth_batch, count)
+                            ? 1
+                            : -1];
 
-bool pel_smooth_next_edge(const struct pel_smooth_walk *k,
-                          struct pel_smooth_side *s)
+static bool has_ended(const struct pel_smooth_vertices *edge)
 {
-    const struct pel_point *a, *b;
+    return edge->from == edge->to;
+}
+
+static int32_t next_vertex(const struct pel_smooth_walk *k, int i, int32_t at)
+{
+    at += i ? k->turn : -k->turn;
+    return at == k->n ? 0 : at < 0 ? k->n - 1 : at;
+}
+
+/* On to the edge below; the chain ends where none goes down. */
+static PEL_NOINLINE_32 void find_edge(const struct pel_smooth_walk *k, int i,
+                                      struct pel_smooth_vertices *edge)
+{
+    int32_t down;
     do {
-        s->from = s->to;
-        a = &k->v[s->from];
-        if (a->y == k->bottom)
-            return false;
-        s->to = pel_smooth_next_vertex(k, s->to, s->turn);
-        b = &k->v[s->to];
-    } while (b->y <= a->y);
-    s->at = pel_smooth_wide(a->x);
-    s->step = pel_smooth_step(a, b);
-    s->rise = pel_smooth_rise(a, b);
-    return true;
+        edge->from = edge->to;
+        edge->to = next_vertex(k, i, edge->from);
+        down = k->v[edge->to].y - k->v[edge->from].y;
+    } while (down == 0);
+    if (down < 0)
+        edge->to = edge->from;
 }
 
-/* Part of an edge in a row. */
-struct piece {
-    int32_t lo, hi; /* px 2^-16 */
-    struct pel_rise rise;
-    int32_t h; /* 1/256 */
-};
-
-/* What a side has in a row: the end of an edge that begins above, or none (h =
- * 0), edges from vertex `from` to vertex `to`, and the beginning of one that
- * goes on below. */
-struct part {
-    struct piece first, last;
-    int32_t from, to;
-};
-
-struct row {
-    struct part part[2];
-    int32_t lo[2], hi[2]; /* px that the sides cross */
-};
-
-static struct piece piece_of(int64_t a, int64_t b, struct pel_rise rise,
-                             int32_t h)
-{
-    const int32_t x0 = (int32_t)(a >> 16), x1 = (int32_t)(b >> 16);
-    const struct piece p = {pel_min(x0, x1), pel_max(x0, x1), rise, h};
-    return p;
-}
-
-static uint32_t area_right_of(const struct piece *p, int32_t x)
-{
-    const int32_t a = p->lo >> 16, b = p->hi >> 16;
-    const uint32_t full = (uint32_t)p->h * (255 << 16);
-    const uint32_t low = p->lo & 0xFFFF, high = p->hi & 0xFFFF;
-    if (x < a)
-        return 0;
-    if (x > b)
-        return full;
-    if (a == b)
-        return ((131072 - low - high) * (uint32_t)p->h >> 2) * 510;
-    if (x == a)
-        return pel_smooth_corner(&p->rise, 65536 - low);
-    if (x == b)
-        return full - pel_smooth_corner(&p->rise, high);
-    return pel_smooth_between(&p->rise, 65536 - low) +
-           (uint32_t)(x - a - 1) * p->rise.value;
-}
-
-static uint32_t area_of_part(const struct pel_smooth_walk *k, int i,
-                             const struct part *r, int32_t x)
-{
-    uint32_t area = 0;
-    if (r->first.h)
-        area += area_right_of(&r->first, x);
-    if (r->last.h)
-        area += area_right_of(&r->last, x);
-    for (int32_t from = r->from, to; from != r->to; from = to) {
-        to = pel_smooth_next_vertex(k, from, k->side[i].turn);
-        const struct pel_point *const a = &k->v[from], *const b = &k->v[to];
-        if (b->y <= a->y)
-            continue;
-        const struct piece p =
-            piece_of(pel_smooth_wide(a->x), pel_smooth_wide(b->x),
-                     pel_smooth_rise(a, b), b->y - a->y);
-        area += area_right_of(&p, x);
-    }
-    return area;
-}
-
-static PEL_NOINLINE uint8_t coverage_at(const struct pel_smooth_walk *k,
-                                        const struct row *row, int32_t x)
-{
-    const int64_t sum = (int64_t)area_of_part(k, 0, &row->part[0], x) -
-                        area_of_part(k, 1, &row->part[1], x) + PEL_SMOOTH_HALF;
-    return (uint8_t)pel_max(0, pel_min((int32_t)(sum >> 24), 255));
-}
-
-static void widen(struct row *row, int i, const struct piece *p)
-{
-    row->lo[i] = pel_min(row->lo[i], p->lo >> 16);
-    row->hi[i] = pel_max(row->hi[i], p->hi >> 16);
-}
-
-/* x of a side h / 256 px further down. */
-static int64_t x_below(const struct pel_smooth_side *s, int32_t h)
-{
-    return s->at + (h == 256 ? s->step : pel_smooth_part(s->step, h));
-}
-
-/* Moves side i on to the next row. */
-static void part_of_row(struct pel_smooth_walk *k, int i, int32_t y,
-                        struct row *row)
+void pel_smooth_next_edge(struct pel_smooth_walk *k, int i)
 {
     struct pel_smooth_side *const s = &k->side[i];
-    struct part *const part = &row->part[i];
-    const int32_t top = PEL_PX(y), bottom = top + 256;
-    row->lo[i] = INT32_MAX;
-    row->hi[i] = INT32_MIN;
-    part->first.h = part->last.h = part->from = part->to = 0;
-    for (bool first = true; s->from != s->to && k->v[s->from].y < bottom;
-         first = false) {
-        const struct pel_point *const b = &k->v[s->to];
-        const int32_t above = pel_max(k->v[s->from].y, top);
-        const bool ends = b->y <= bottom;
-        const int32_t h = (ends ? b->y : bottom) - above;
-        const int64_t end = ends ? pel_smooth_wide(b->x) : x_below(s, h);
-        const struct piece p = piece_of(s->at, end, s->rise, h);
-        widen(row, i, &p);
-        s->at = end;
-        if (!ends) {
-            part->last = p;
+    find_edge(k, i, &s->edge);
+    const struct pel_point *const a = &k->v[s->edge.from];
+    const struct pel_point *const b = &k->v[s->edge.to];
+    s->at = pel_smooth_wide(a->x);
+    if (a == b)
+        return;
+    s->step = pel_smooth_step(a, b);
+    s->rise = pel_smooth_rise(a, b);
+}
+
+void pel_smooth_go_down(struct pel_smooth_side *s, int32_t h)
+{
+    const int64_t part =
+        (int64_t)(pel_times((uint64_t)pel_size_of(s->step), h) >> 8);
+    s->at += s->step < 0 ? -part : part;
+}
+
+/* Moves a side on by the row. */
+static void pass(struct pel_smooth_walk *k, int i)
+{
+    struct pel_smooth_side *const s = &k->side[i];
+    const int32_t bottom = PEL_PX(k->y) + 256;
+    k->of.row.above[i] =
+        (struct pel_smooth_above){(int32_t)(s->at >> 16), s->rise, s->edge};
+    while (!has_ended(&s->edge) && k->v[s->edge.to].y <= bottom)
+        pel_smooth_next_edge(k, i);
+    if (!has_ended(&s->edge))
+        pel_smooth_go_down(s, pel_min(bottom - k->v[s->edge.from].y, 256));
+}
+
+void pel_smooth_pass_row(struct pel_smooth_walk *k)
+{
+    pass(k, 0);
+    pass(k, 1);
+    k->rest = (struct pel_span){INT32_MIN, INT32_MAX};
+    k->y++;
+}
+
+/* Pixels whose areas are summed. */
+struct window {
+    int32_t x, n;
+    uint32_t *area;
+};
+
+/* How much of the row's height an edge crosses. */
+static int32_t height_of(const struct pel_smooth_walk *k,
+                         const struct pel_smooth_vertices *edge)
+{
+    const int32_t bottom = PEL_PX(k->y);
+    return pel_min(k->v[edge->to].y, bottom) -
+           pel_max(k->v[edge->from].y, bottom - 256);
+}
+
+/* Of an edge that begins in the row. */
+static struct pel_rise rise_of(const struct pel_smooth_walk *k, int i,
+                               const struct pel_smooth_vertices *edge)
+{
+    if (edge->to == k->side[i].edge.to)
+        return k->side[i].rise;
+    return pel_smooth_rise(&k->v[edge->from], &k->v[edge->to]);
+}
+
+static void widen(struct pel_span *span, const struct pel_smooth_piece *p)
+{
+    span->x0 = pel_min(span->x0, p->lo >> 16);
+    span->x1 = pel_max(span->x1, (p->hi >> 16) + 1);
+}
+
+/* Adds the areas right of side i, or takes them away. The pixels that the side
+ * crosses. */
+static PEL_NOINLINE_32 struct pel_span cross_side(
+    const struct pel_smooth_walk *k, int i, const struct window *w)
+{
+    const struct pel_smooth_above *const above = &k->of.row.above[i];
+    struct pel_smooth_vertices edge = above->edge;
+    struct pel_smooth_piece p = {0, 0, above->rise, 0};
+    struct pel_span crossed = {INT32_MAX, INT32_MIN};
+    int32_t x = above->x;
+    while (!has_ended(&edge) && k->v[edge.from].y < PEL_PX(k->y)) {
+        const struct pel_point *const b = &k->v[edge.to];
+        const bool ends = b->y <= PEL_PX(k->y);
+        const int32_t end = ends ? b->x * 256 : (int32_t)(k->side[i].at >> 16);
+        pel_smooth_piece_set(&p, x, end);
+        p.height = (uint32_t)height_of(k, &edge) * 256;
+        widen(&crossed, &p);
+        pel_smooth_add(&p, 0 - (uint32_t)i, w->x, w->n, w->area);
+        if (!ends)
             break;
-        }
-        if (first) {
-            part->first = p;
-            part->from = s->to;
-        }
-        part->to = s->to;
-        pel_smooth_next_edge(k, s);
+        x = end;
+        find_edge(k, i, &edge);
+        p.rise = rise_of(k, i, &edge);
     }
+    return crossed;
 }
 
-/* Are all pixels from x on, up to the right side, of one coverage? */
-static bool is_between(const struct row *row, int32_t x)
+static void cover(const void *shape, int32_t x, int32_t n, uint8_t *to)
 {
-    return x > row->hi[0] && x < row->lo[1];
+    uint32_t area[PEL_SMOOTH_PIXELS];
+    const struct window w = {x, n, area};
+    for (int32_t i = 0; i < n; i++)
+        area[i] = PEL_SMOOTH_HALF;
+    cross_side(shape, 0, &w);
+    cross_side(shape, 1, &w);
+    for (int32_t i = 0; i < n; i++)
+        to[i] = (uint8_t)(area[i] >> 24);
 }
 
-/* Where a part of the row that begins at x ends. */
-static int32_t end_of_part(const struct row *row, int32_t x)
+void pel_smooth_rest_of_row(struct pel_smooth_walk *k)
 {
-    if (is_between(row, x))
-        return row->lo[1];
-    if (x <= row->hi[0] && row->hi[0] < row->lo[1])
-        return row->hi[0] + 1;
-    return row->hi[1] + 1;
-}
-
-void pel_smooth_vertex_row(struct pel_smooth_walk *k, int32_t y)
-{
-    const struct pel_rect *const clip = &k->smooth.surface.clip;
-    struct row row;
-    uint8_t bytes[BYTES];
-    struct pel_smooth_row r = {y, 0, 0, 0, 0, bytes};
-    part_of_row(k, 0, y, &row);
-    part_of_row(k, 1, y, &row);
-    const int32_t end = pel_min(row.hi[1] + 1, clip->x1);
-    for (r.x = pel_max(row.lo[0], clip->x0); r.x < end;
-         r.x += r.left + r.full) {
-        const int32_t n = pel_min(end_of_part(&row, r.x), end) - r.x;
-        const bool same = is_between(&row, r.x);
-        bytes[0] = coverage_at(k, &row, r.x);
-        r.full = same && bytes[0] == 255 ? n : 0;
-        r.left = r.full ? 0 : pel_min(n, BYTES);
-        for (int32_t i = 1; i < r.left; i++)
-            bytes[i] = same ? bytes[0] : coverage_at(k, &row, r.x + i);
-        pel_smooth_paint(&k->smooth, &r);
-    }
+    static const struct window none = {0, 0, NULL};
+    const struct pel_rect *const clip = &k->smooth.target->clip;
+    const struct pel_span crossed[2] = {cross_side(k, 0, &none),
+                                        cross_side(k, 1, &none)};
+    const int32_t end = pel_max(crossed[0].x1, crossed[1].x1);
+    struct pel_smooth_columns c = {k->rest, crossed, 2, cover, k};
+    c.left.x0 = pel_max(c.left.x0, pel_max(crossed[0].x0, clip->x0));
+    c.left.x1 = pel_min(end, clip->x1);
+    k->of.row.y = k->y - 1;
+    k->of.row.n = 0;
+    if (c.left.x0 < c.left.x1)
+        pel_smooth_cover(&c, &k->of.batch);
+    k->rest = c.left;
 }

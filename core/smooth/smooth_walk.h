@@ -5,52 +5,71 @@
 #include "smooth.h"
 #include "smooth_edge.h"
 
-/* Pixels that a side may cross in a row that is walked in whole. */
-enum { PEL_SMOOTH_WIDE = PEL_64BIT ? 32 : 8 };
+/* A side crosses so many pixels in a row that is walked as a whole. */
+enum { PEL_SMOOTH_WIDE = PEL_SMOOTH_BATCH_BYTES / 2 };
+
+/* An edge, by its vertices; the same: the chain has ended. */
+struct pel_smooth_vertices {
+    int32_t from, to;
+};
 
 struct pel_smooth_side {
     int64_t at;   /* x at the top of the row or of the edge, px 2^-32 */
     int64_t step; /* to the next row */
     struct pel_rise rise;
-    int32_t from, to; /* vertices of the edge; the same: the chain has ended */
-    int32_t turn;     /* 1 or -1 */
+    struct pel_smooth_vertices edge;
 };
 
+/* What a side was at the top of a row. */
+struct pel_smooth_above {
+    int32_t x; /* px 2^-16 */
+    struct pel_rise rise;
+    struct pel_smooth_vertices edge;
+};
+
+/* Of two the first is the left side. */
 struct pel_smooth_walk {
     struct pel_smooth smooth;
     const struct pel_point *v;
-    int32_t n, bottom;              /* bottom: the lowest y */
-    bool inside;                    /* the clip, left and right */
-    struct pel_smooth_side side[2]; /* left, right */
+    int32_t n, turn; /* turn: 1 or -1, to the next vertex of the right side */
+    int32_t y, end;  /* rows to come */
+    struct pel_span rest; /* columns of the row above them that are left */
+    bool inside;          /* no column is clipped away */
+    uint8_t rows;         /* that a batch has room for, .. */
+    int32_t whole; /* .. above this one, of those that edges cross as a whole */
+    struct pel_smooth_side side[2];
+    union {
+        struct pel_smooth_batch batch;
+        struct {
+            int32_t y, n;
+            struct pel_span full; /* up to here a batch of one row */
+            struct pel_smooth_above above[2];
+        } row;
+    } of;
 };
 
-/* h / 256 of a step, towards 0: a side does not pass its end. h is less than
- * the edge is high, so the product is below 2^24 2^32. */
-static inline int64_t pel_smooth_part(int64_t step, int32_t h)
-{
-    const int64_t size =
-        (int64_t)(pel_times((uint64_t)pel_size_of(step), h) >> 8);
-    return step < 0 ? -size : size;
-}
+/* On to the next edge of side i that goes down, if there is one. */
+void pel_smooth_next_edge(struct pel_smooth_walk *k, int i);
 
-static inline int32_t pel_smooth_next_vertex(const struct pel_smooth_walk *k,
-                                             int32_t i, int32_t turn)
-{
-    i += turn;
-    return i == k->n ? 0 : i < 0 ? k->n - 1 : i;
-}
+/* Moves a side down by h / 256 px. The part of a step is rounded towards 0: it
+ * does not pass its end. h is less than the edge is high, or 256, so the
+ * product is below 2^24 2^32. */
+void pel_smooth_go_down(struct pel_smooth_side *s, int32_t h);
 
-/* On to the next edge that goes down; false at the end of the chain. */
-bool pel_smooth_next_edge(const struct pel_smooth_walk *k,
-                          struct pel_smooth_side *s);
+/* How many rows that both sides cross a batch has room for; 0 where they cross
+ * too many pixels. */
+int32_t pel_smooth_room(const struct pel_smooth_walk *k);
 
-/* Paints n rows from y on that both sides cross, each in few pixels, from where
- * they are, and moves them on: reads only smooth, inside and the sides' first
- * three members. */
+/* Makes a batch of n such rows from k->y on, and moves on: reads only smooth,
+ * inside and the sides' first three members. */
+void pel_smooth_cross(struct pel_smooth_walk *k, int32_t n);
+
+/* Paints any number of them. */
 void pel_smooth_cross_rows(struct pel_smooth_walk *k, int32_t y, int32_t n);
 
-/* Paints a row that vertices lie in, or that a side crosses in many pixels, and
- * moves on to the next. */
-void pel_smooth_vertex_row(struct pel_smooth_walk *k, int32_t y);
+/* Moves on by a row that vertices lie in or a side crosses in many pixels, and
+ * makes a batch of what is left of it, bit by bit. */
+void pel_smooth_pass_row(struct pel_smooth_walk *k);
+void pel_smooth_rest_of_row(struct pel_smooth_walk *k);
 
 #endif

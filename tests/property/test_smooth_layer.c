@@ -51,29 +51,71 @@ static uint8_t random_coverage(struct random *r)
     return kind == 0 ? 0 : kind == 1 ? 255 : (uint8_t)random_word(r);
 }
 
-/* Rows of random parts, the same into the layer and into the mask. */
-static void draw_rows(struct random *r, struct pel_smooth *smooth, bool clipped)
+/* Writes a part of a row into the mask. */
+static void mask_row(int32_t x, int32_t y, int32_t n, const uint8_t *coverage)
 {
-    const struct pel_rect all = drawn.surface.bounds, clip = drawn.surface.clip;
+    const struct pel_rect *const all = &drawn.surface.bounds;
+    for (int32_t i = 0; i < n; i++)
+        if (x + i >= all->x0 && x + i < all->x1)
+            grey[(y - all->y0) * SIDE + x + i - all->x0] =
+                coverage ? coverage[i] : 255;
+}
+
+/* Rows of random parts, the same into the layer and into the mask. */
+static void draw_rows(struct random *r, const struct pel_smooth *smooth)
+{
+    const struct pel_rect clip = drawn.surface.clip;
     uint8_t bytes[SIDE];
-    for (int32_t y = all.y0; y < all.y1; y++) {
-        const struct pel_rect b = clipped ? all : clip;
-        const int32_t n = pel_max(b.x1 - b.x0, 0), x = random_between(r, 0, n);
+    for (int32_t y = clip.y0; y < clip.y1; y++) {
+        const int32_t n = pel_max(clip.x1 - clip.x0, 0);
+        const int32_t x = random_between(r, 0, n);
         const int32_t left = random_between(r, 0, n - x) / (1 + (y & 3));
         const int32_t full = random_between(r, 0, n - x - left);
         const int32_t right = random_between(r, 0, n - x - left - full);
-        const struct pel_smooth_row row = {y,    b.x0 + x, left,
-                                           full, right,    bytes};
+        const struct pel_smooth_row row = {y,    clip.x0 + x, left,
+                                           full, right,       bytes};
         for (int32_t i = 0; i < SIDE; i++)
             bytes[i] = random_coverage(r);
-        if (clipped)
-            pel_smooth_paint_clipped(smooth, &row);
-        else if (y >= b.y0 && y < b.y1)
-            pel_smooth_paint(smooth, &row);
-        uint8_t *const to = grey + (y - all.y0) * SIDE + row.x - all.x0;
-        memcpy(to, bytes, (size_t)left);
-        memset(to + left, 255, (size_t)full);
-        memcpy(to + left + full, bytes + left, (size_t)right);
+        mask_row(row.x, y, left, bytes);
+        mask_row(row.x + left, y, full, NULL);
+        mask_row(row.x + left + full, y, right, bytes + left);
+        pel_smooth_paint(smooth, &row);
+    }
+}
+
+/* Fills a batch of n rows from y on, some of them outside of the clip's
+ * columns, and paints what is inside. */
+static void draw_batch(struct random *r, const struct pel_smooth *smooth,
+                       int32_t y, int32_t n)
+{
+    const struct pel_rect *const all = &drawn.surface.bounds;
+    struct pel_smooth_batch b = {.y = y, .n = n};
+    uint8_t *coverage = b.coverage;
+    for (int32_t i = 0; i < n; i++) {
+        const int32_t most = PEL_SMOOTH_BATCH_BYTES / 2 / n;
+        int32_t *const x = b.at.x + 2 * i;
+        uint8_t *const count = b.count + 2 * i;
+        count[0] = (uint8_t)random_between(r, 0, most);
+        count[1] = (uint8_t)random_between(r, 0, most);
+        x[0] = random_between(r, all->x0 - 9, all->x1 + 9);
+        x[1] = x[0] + pel_max(0, random_between(r, -9, 30));
+        for (int32_t k = 0; k < count[0] + count[1]; k++)
+            coverage[k] = random_coverage(r);
+        mask_row(x[0] - count[0], y + i, count[0], coverage);
+        mask_row(x[0], y + i, x[1] - x[0], NULL);
+        mask_row(x[1], y + i, count[1], coverage + count[0]);
+        coverage += count[0] + count[1];
+    }
+    pel_smooth_clip_batch(&b, &drawn.surface.clip);
+    pel_smooth_paint_batch(smooth, &b);
+}
+
+static void draw_batches(struct random *r, const struct pel_smooth *smooth)
+{
+    const struct pel_rect *const clip = &drawn.surface.clip;
+    for (int32_t y = clip->y0, n; y < clip->y1; y += n) {
+        n = pel_min(random_between(r, 1, PEL_SMOOTH_BATCH_ROWS), clip->y1 - y);
+        draw_batch(r, smooth, y, n);
     }
 }
 
@@ -97,7 +139,10 @@ TEST(rows_are_a_mask)
         pel_surface_clip(&expected.surface, &clip);
         memset(grey, 0, sizeof grey);
         assert_true(pel_smooth_begin(&smooth, &drawn.surface, paint));
-        draw_rows(r, &smooth, random_word(r) % 2);
+        if (random_word(r) % 2)
+            draw_rows(r, &smooth);
+        else
+            draw_batches(r, &smooth);
         assert_int_equal(
             pel_masked_init(&masked, &mask, bounds.x0, bounds.y0, paint),
             PEL_OK);

@@ -1,0 +1,141 @@
+/* Whole rows of two sides: by the closed form of smooth_edge.h, pixel by pixel.
+ */
+#include "smooth_walk.h"
+
+/* HALF; with flip, which is all ones for what lies left of an edge, half is
+ * less than 0, as the area is, but for the 1 that a flip of its bits leaves. */
+static inline uint32_t half_of(uint32_t flip)
+{
+    return (PEL_SMOOTH_HALF ^ flip) - 2 * flip;
+}
+
+static inline uint8_t coverage_of(uint32_t area, uint32_t flip, uint32_t half)
+{
+    return (uint8_t)(((area ^ flip) + half) >> 24);
+}
+
+/* The coverage of the pixels, more than one, that a side has crossed: where the
+ * bytes end. *x: the first one; before, the one at the top. */
+static PEL_NOINLINE_32 uint8_t *cross_pixels(const struct pel_smooth_side *s,
+                                             uint32_t flip, int32_t *x,
+                                             uint8_t *to)
+{
+    uint32_t lo = (uint32_t)s->at - (uint32_t)s->step, hi = (uint32_t)s->at;
+    int32_t between = (int32_t)(s->at >> 32) - *x;
+    if (between < 0) {
+        hi = lo;
+        lo = (uint32_t)s->at;
+        *x += between;
+        between = -between;
+    }
+    uint8_t *const last = to + between;
+    const uint32_t half = half_of(flip), u = 65536 - (lo >> 16);
+    hi = PEL_SMOOTH_FULL - pel_smooth_corner(&s->rise, hi >> 16);
+    *last = coverage_of(hi, flip, half);
+    *to++ = coverage_of(pel_smooth_corner(&s->rise, u), flip, half);
+    if (to < last) {
+        uint32_t area = pel_smooth_between(&s->rise, u);
+        for (; to < last; area += s->rise.value)
+            *to++ = coverage_of(area, flip, half);
+    }
+    return last + 1;
+}
+
+/* The coverage of the pixels that a side crosses in a row: where the bytes end.
+ * *x: the first one. Moves the side on. */
+static PEL_NOINLINE_32 uint8_t *cross_row(struct pel_smooth_side *s,
+                                          uint32_t flip, int32_t *x,
+                                          uint8_t *to)
+{
+    const int32_t above = (int32_t)(s->at >> 32);
+    const uint32_t low = (uint32_t)s->at >> 16;
+    s->at += s->step;
+    const uint32_t high = (uint32_t)s->at >> 16;
+    uint32_t area;
+    *x = above;
+    if (above != (int32_t)(s->at >> 32))
+        return cross_pixels(s, flip, x, to);
+    area = PEL_SMOOTH_FULL + PEL_SMOOTH_HALF - (low + high) * 32640;
+    *to = (uint8_t)(((area ^ flip) - flip) >> 24);
+    return to + 1;
+}
+
+/* Adds what a side is in the row above to the area of a pixel. */
+static void add_side(const struct pel_smooth_side *s, uint32_t flip, int32_t x,
+                     uint32_t *area)
+{
+    struct pel_smooth_piece p = {0, 0, s->rise, 65536};
+    pel_smooth_piece_set(&p, (int32_t)((s->at - s->step) >> 16),
+                         (int32_t)(s->at >> 16));
+    pel_smooth_add(&p, flip, x, 1, area);
+}
+
+static uint8_t coverage_at(const struct pel_smooth_walk *k, int32_t x)
+{
+    uint32_t area = PEL_SMOOTH_HALF;
+    add_side(&k->side[0], 0, x, &area);
+    add_side(&k->side[1], ~UINT32_C(0), x, &area);
+    return (uint8_t)(area >> 24);
+}
+
+/* Pixels that both sides cross in the last row of a batch, the last ones of the
+ * left side and the first ones of the right one, are left with the left side.
+ * Where the bytes end. */
+static PEL_NOINLINE_32 uint8_t *merge(const struct pel_smooth_walk *k,
+                                      struct pel_span *full, uint8_t *count,
+                                      uint8_t *to)
+{
+    const int32_t skip = pel_min(full->x0 - full->x1, count[1]);
+    for (int32_t x = full->x0 - count[0]; x < full->x0; x++, to++)
+        if (x >= full->x1)
+            *to = coverage_at(k, x);
+    count[1] = (uint8_t)(count[1] - skip);
+    full->x1 = full->x0;
+    for (int32_t n = count[1]; n > 0; n--, to++)
+        *to = to[skip];
+    return to;
+}
+
+int32_t pel_smooth_room(const struct pel_smooth_walk *k)
+{
+    int32_t most = 0, rows = PEL_SMOOTH_BATCH_ROWS;
+    for (int i = 0; i < 2; i++) {
+        const int32_t step = (int32_t)(k->side[i].step >> 32);
+        most += pel_min(step < 0 ? ~step : step, PEL_SMOOTH_BATCH_BYTES) + 2;
+    }
+    while (rows * most > PEL_SMOOTH_BATCH_BYTES)
+        rows--;
+    return rows;
+}
+
+void pel_smooth_cross(struct pel_smooth_walk *k, int32_t n)
+{
+    struct pel_smooth_batch *const b = &k->of.batch;
+    struct pel_span *full = b->at.full;
+    uint8_t *to = b->coverage, *count = b->count;
+    b->y = k->y;
+    b->n = n;
+    k->y += n;
+    for (; n > 0; n--, full++, count += 2) {
+        uint8_t *const left = to;
+        to = cross_row(&k->side[0], 0, &full->x0, to);
+        count[0] = (uint8_t)(to - left);
+        full->x0 += count[0];
+        to = cross_row(&k->side[1], ~UINT32_C(0), &full->x1, to);
+        count[1] = (uint8_t)(to - left - count[0]);
+        if (full->x0 > full->x1)
+            to = merge(k, full, count, left);
+    }
+    if (!k->inside)
+        pel_smooth_clip_batch(b, &k->smooth.target->clip);
+}
+
+void pel_smooth_cross_rows(struct pel_smooth_walk *k, int32_t y, int32_t n)
+{
+    const int32_t rows = pel_smooth_room(k), end = y + n;
+    k->y = y;
+    while (k->y < end) {
+        pel_smooth_cross(k, pel_min(end - k->y, rows));
+        pel_smooth_paint_batch(&k->smooth, &k->of.batch);
+    }
+}
