@@ -79,7 +79,8 @@ $(foreach e,$(EXAMPLES:examples/%.c=%),$(eval $(call example_program,$e)))
 $(BUILD)/examples/fixed_%.c: sim/scenes/fixed_%.bdf $(BUILD)/pel
 	@mkdir -p $(@D)
 	$(BUILD)/pel import $< -o $@ >/dev/null
-# Letters of DejaVu (fonts-dejavu-core), NAME_PX; pictures, drawn by scripts.
+# Letters of DejaVu (fonts-dejavu-core), NAME_PX, or without FreeType and it a font
+# that is here; pictures, drawn by scripts.
 DEJAVU := /usr/share/fonts/truetype/dejavu
 EXAMPLE_FONT_sans := DejaVuSans.ttf --codes 32-126,0xB0 --bits 4
 EXAMPLE_FONT_digits := DejaVuSans.ttf --chars "0123456789.° " --bits 4
@@ -88,7 +89,9 @@ EXAMPLE_FONT_mono := DejaVuSansMono.ttf --codes 32-126,0x201C-0x201D
 define example_font
 $(BUILD)/examples/$1_%.c: $(BUILD)/pel
 	@mkdir -p $$(@D)
-	$(BUILD)/pel import $(DEJAVU)/$(EXAMPLE_FONT_$1) --font-size $$* -o $$@ >/dev/null
+	$(BUILD)/pel import $$(if $$(and $$(filter freetype2,$$(SIM_PACKAGES)),\
+	    $$(wildcard $(DEJAVU)/DejaVuSansMono.ttf)),$(DEJAVU)/$$(EXAMPLE_FONT_$1) \
+	    --font-size $$*,sim/scenes/fixed_10x20.bdf) -o $$@ >/dev/null
 endef
 $(foreach f,sans digits bold mono,$(eval $(call example_font,$f)))
 EXAMPLE_PICTURE_earth := --format rgb565_le
