@@ -53,8 +53,8 @@ MIX const uint8_t *mix_run(pel_word16 *p, const uint8_t *coverage, int32_t n,
 static void weigh(const uint8_t *coverage, int32_t n, uint32_t alpha,
                   uint8_t *to)
 {
-    for (; n > 0; n--)
-        *to++ = (uint8_t)pel_round_div255(alpha * *coverage++);
+    for (int32_t i = 0; i < n; i++)
+        to[i] = (uint8_t)pel_round_div255(alpha * coverage[i]);
 }
 
 /* With the alpha of the color. */

@@ -72,5 +72,5 @@ check-pictures: ## compile the pages' C, compare every picture of docs
 tests: $(LAYERS_HOST) $(MCU_CORE_OBJECTS) $(LINK_ELFS) $(MCU_BENCH_ELFS) \
     $(patsubst %,$(BUILD)/cpus/%/scenes,$(CPU_CHECK) $(MCU_CHECK) $(BUILDS_CHECK)) \
     $(BUILDS_CHECK:%=$(BUILD)/cpus/%/flat) \
-    $(LCD_BOARDS:%=$(LCD)/%.elf) $(PICO)/board.bin $(PICO)/glass $(BOARD_RUNS:%=$(BUILD)/board/%) \
+    $(LCD_BOARDS:%=$(LCD)/%.elf) $(BOARD_RUNS:%=$(BUILD)/board/%) \
     $(PRODUCT_RUNS:%=$(BUILD)/board/%) $(PRODUCT_ELFS)
