@@ -5,9 +5,9 @@ enum { FAR = 1 << 20 }; /* px: to the right of every pixel */
 int32_t pel_spans_hull(struct pel_span *hull, const struct pel_span *span,
                        int32_t n)
 {
+    static const struct pel_span none = {FAR, -FAR};
     int32_t pixels = 0;
-    hull->x0 = FAR;
-    hull->x1 = -FAR;
+    *hull = none;
     for (; n > 0; n--, span++)
         if (span->x0 < span->x1) {
             hull->x0 = pel_min(hull->x0, span->x0);

@@ -84,12 +84,12 @@ static PEL_NOINLINE_32 void fill(const struct pel_surface *surface,
     side[0].end = &v[(top + 1) & 3];
     side[1].end = &v[(top + 3) & 3];
     side[0].last = side[1].last = bottom;
-    for (int i = 0; i < 2; i++)
-        pel_side_start(&side[i], &v[top], spans.y);
+    pel_side_start(&side[0], &v[top], spans.y);
+    pel_side_start(&side[1], &v[top], spans.y);
     for (; spans.y < end; spans.y += spans.n) {
         spans.n = pel_min(end - spans.y, PEL_BATCH_ROWS);
-        for (int i = 0; i < 2; i++)
-            pel_side_walk(&side[i], spans.y, batch.x + i, spans.n);
+        pel_side_walk(&side[0], spans.y, batch.x, spans.n);
+        pel_side_walk(&side[1], spans.y, batch.x + 1, spans.n);
         pel_spans_order(batch.span, spans.n, &spans.surface->clip);
         paint->fill(paint, &spans);
     }
