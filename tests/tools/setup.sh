@@ -12,12 +12,8 @@ command -v apt-get >/dev/null && command -v dpkg-query >/dev/null ||
     fail "no apt-get here: install the programs that packages.txt names" \
         "by other means"
 
-# What another package provides, as a Node.js of its makers does npm, is there
-# too: apt would find that the two do not go together.
-present=$(dpkg-query -W -f '${db:Status-Status} ${Package}, ${Provides}\n' |
-    sed -n 's/^installed //p' | tr ', ' '\n\n')
 installed() {
-    echo "$present" | grep -qxF "$1"
+    [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
 }
 
 missing=

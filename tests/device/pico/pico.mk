@@ -31,7 +31,8 @@ $(PICO)/glass: $(PICO_HERE)/glass.c $(PICO_SCENE) $(BUILD)/tests/host/libsupport
 PICO_LIST := $(addprefix $(PICO_HERE)/,package.json package-lock.json .npmrc)
 PICO_NPM := $(PICO)/node_modules/rp2040js/package.json
 $(PICO_NPM): $(PICO_LIST)
-	@tests/tools/need.sh node:nodejs npm:npm
+	@command -v node >/dev/null && command -v npm >/dev/null || { echo \
+	    "missing: node or npm, of the Debian packages nodejs and npm" >&2; exit 1; }
 	@mkdir -p $(PICO) && cp $(PICO_LIST) $(PICO)
 	@cd $(PICO) && npm ci --ignore-scripts --prefer-offline --no-audit \
 	    --no-fund --fetch-retries=1 >npm.txt 2>&1 || { head -n 3 npm.txt; \
