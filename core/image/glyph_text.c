@@ -171,22 +171,24 @@ const struct pel_font_glyph *pel_glyph_find(const struct pel_font_asset *font,
 /* The glyph with its pen at (x, y), which is far outside of every surface when
  * the string is long enough: then it is not drawn. */
 static void draw(const struct pel_surface *surface,
-                 const struct pel_text_block *text,
+                 const struct pel_font_asset *font,
                  const struct pel_font_glyph *glyph, struct pel_point pen,
                  const struct pel_paint *paint)
 {
-    const struct pel_stencil g = {text->font->bits + glyph->offset,
+    const struct pel_rect *clip = &surface->clip;
+    pen.x += glyph->left;
+    pen.y -= glyph->top;
+    if (pen.x >= clip->x1 || pen.y >= clip->y1 ||
+        pen.x + glyph->width <= clip->x0 || pen.y + glyph->height <= clip->y0)
+        return;
+    if (font->kind) {
+        font->kind->draw(surface, font, glyph, pen, paint);
+        return;
+    }
+    const struct pel_stencil g = {font->bits + glyph->offset,
                                   (glyph->width + 7) / 8, glyph->width,
                                   glyph->height};
-    const struct pel_point at = {pen.x + glyph->left, pen.y - glyph->top};
-    const struct pel_rect *clip = &surface->clip;
-    if (at.x >= clip->x1 || at.y >= clip->y1 || at.x + g.width <= clip->x0 ||
-        at.y + g.height <= clip->y0)
-        return;
-    if (text->font->kind)
-        text->font->kind->draw(surface, text->font, glyph, at, paint);
-    else
-        pel_glyph(surface, &g, at.x, at.y, paint);
+    pel_glyph(surface, &g, pen.x, pen.y, paint);
 }
 
 void pel_text_until(const struct pel_surface *surface,
@@ -211,15 +213,9 @@ void pel_text_until(const struct pel_surface *surface,
         const struct pel_font_glyph *glyph = pel_glyph_find(text->font, code);
         if (glyph) {
             pen.x += pel_glyph_kerning(text->font, before, glyph);
-            draw(surface, text, glyph, pen, paint);
+            draw(surface, text->font, glyph, pen, paint);
             pen.x += glyph->advance;
             before = glyph;
         }
     }
-}
-
-void pel_text(const struct pel_surface *surface,
-              const struct pel_text_block *text, const struct pel_paint *paint)
-{
-    pel_text_until(surface, text, NULL, paint);
 }

@@ -31,6 +31,12 @@ struct pel_text_size {
     int32_t width, height; /* px */
 };
 
+/* pel_text of what comes before `end`, the address of a character of the text,
+ * or NULL: all. */
+void pel_text_until(const struct pel_surface *surface,
+                    const struct pel_text_block *text, const char *end,
+                    const struct pel_paint *paint);
+
 /* Paints the text. Glyphs stand in boxes `advance` wide, closer or further
  * apart by the font's pairs, and ascent + descent high; the pen starts at x
  * with the baseline `ascent` below y. A line feed goes back to x and down by a
@@ -38,13 +44,12 @@ struct pel_text_size {
  * a shape of its own: where two overlap, which takes a font whose glyphs reach
  * beyond their boxes, both are painted. x or y out of range is a broken
  * contract: PEL_ASSERT, and nothing is drawn. For strings up to 2^22 bytes. */
-void pel_text(const struct pel_surface *surface,
-              const struct pel_text_block *text, const struct pel_paint *paint);
-
-/* The same of the text before `end`, the address of a character of it. */
-void pel_text_until(const struct pel_surface *surface,
-                    const struct pel_text_block *text, const char *end,
-                    const struct pel_paint *paint);
+static inline void pel_text(const struct pel_surface *surface,
+                            const struct pel_text_block *text,
+                            const struct pel_paint *paint)
+{
+    pel_text_until(surface, text, NULL, paint);
+}
 
 /* The size of all boxes: the widest line, and all lines, of which a string has
  * one more than line feeds. For strings up to 2^22 bytes. */
