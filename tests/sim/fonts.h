@@ -10,7 +10,8 @@ static const char *encoding; /* of --encoding, or NULL */
 static inline bool load(struct font *font, const char *bytes, size_t size)
 {
     char *path = file_with(bytes, size);
-    const struct font_options options = {encoding, FONT_SIZE, NULL};
+    const struct font_options options = {.encoding = encoding,
+                                         .size = FONT_SIZE};
     bool done = font_load(font, path, &options);
     remove(path);
     free(path);
