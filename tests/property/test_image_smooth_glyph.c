@@ -82,6 +82,12 @@ static void make(struct random *r, struct one *o)
     make_font(o, width, height, (o->nibbles + 1) / 2);
 }
 
+static void print_glyph(const void *value)
+{
+    const struct pel_font_glyph *g = value;
+    print_error("glyph %d x %d px\n", g->width, g->height);
+}
+
 static uint8_t expected(const struct one *o, int32_t x, int32_t y)
 {
     const bool is_in =
@@ -114,6 +120,7 @@ TEST(glyphs_are_what_was_written)
         struct random *r = &c.random;
         struct pel_surface s = surface_of(pixels);
         make(r, &o);
+        cases_keep(print_glyph, &o.glyph, sizeof o.glyph);
         assert_int_equal(pel_font_asset_check(&o.font), PEL_OK);
         const int32_t x = random_between(r, -30, SIDE);
         const int32_t y = random_between(r, -30, SIDE);
@@ -154,6 +161,7 @@ TEST(no_bytes_are_read_beyond)
             bits[40 - size + i] =
                 (uint8_t)(random_word(r) >> random_between(r, 0, 24));
         make_font(&o, random_between(r, 0, 20), random_between(r, 0, 20), size);
+        cases_keep(print_glyph, &o.glyph, sizeof o.glyph);
         o.font.bits = bits + 40 - size;
         o.glyph.offset = (uint32_t)random_between(r, 0, (int32_t)size + 1);
         if (pel_font_asset_check(&o.font) != PEL_OK)
