@@ -104,12 +104,12 @@ static int32_t kerning(const struct pel_font_asset *font,
                        const struct pel_font_glyph *right)
 {
     const ptrdiff_t a = left - font->glyph, b = right - font->glyph;
-    const int32_t wanted = (int32_t)(a << 8 | b);
+    const uint32_t wanted = (uint32_t)a << 8 | (uint32_t)b;
     int32_t low = 0, high = font->pairs;
     while (a < 256 && b < 256 && low < high) {
         const int32_t middle = (low + high) / 2;
         const struct pel_font_pair *const pair = &font->pair[middle];
-        const int32_t at = pair->left << 8 | pair->right;
+        const uint32_t at = (uint32_t)pair->left << 8 | pair->right;
         if (at == wanted)
             return pair->x;
         if (at < wanted)
