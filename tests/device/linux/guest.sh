@@ -38,9 +38,11 @@ press() { # KEYS
 }
 
 # Runs a command on tty1 in the background; $pid is its process, $log gets what
-# it prints.
+# it prints. It is empty at once: the background process may open it later, and
+# what the last command told is no answer of this one.
 log=/tmp/log
 start() { # COMMAND...
+    : > $log
     /mnt/console_state -default "$@" <&3 > $log 2>&1 &
     pid=$!
 }

@@ -32,6 +32,7 @@ expect() { # WHAT LINE...
 }
 
 listen() { # OPTIONS...
+    : > $log
     $pel input "$@" > $log 2>&1 &
     pid=$!
     seen=0
