@@ -4,32 +4,7 @@
 # more without a window, has every picture that was written.
 set -u
 . "$(dirname "$0")/lib.sh"
-for tool in Xvfb xdotool; do
-    command -v $tool >/dev/null || {
-        fail "$tool is missing: the package $(echo $tool | tr X x) brings it"
-        exit 1
-    }
-done
-PEL=$(realpath "$PEL")
-# Without -noreset the server starts anew whenever a program ends, and the next one
-# may find none.
-Xvfb -noreset -displayfd 3 -screen 0 1024x768x24 3>"$work/display" 2>"$work/xvfb" &
-server=$!
-trap 'status=$?; kill $server 2>/dev/null; wait $server 2>/dev/null
-    [ ! -e "$work/failed" ] || status=1; rm -rf "$work"; exit $status' EXIT
-
-until_true() { # COMMAND...: up to a minute
-    for i in $(seq 600); do
-        "$@" >/dev/null 2>&1 && return
-        sleep 0.1
-    done
-    fail "not within a minute: $*"
-    return 1
-}
-until_true test -s "$work/display"
-DISPLAY=:$(cat "$work/display")
-export DISPLAY
-unset SDL_VIDEODRIVER
+. "$(dirname "$0")/window.sh"
 
 found() {
     window=$(xdotool search --onlyvisible --pid $program --name 'pel view')

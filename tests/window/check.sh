@@ -5,27 +5,7 @@
 set -u
 . "$(dirname "$0")/../sim/lib.sh"
 program=$(realpath "$1") screen=$(realpath "$2")
-PEL=$(realpath "$PEL")
-"$(dirname "$0")/../tools/need.sh" Xvfb:xvfb xdotool:xdotool || exit 1
-mkdir "$work/server"
-Xvfb -noreset -displayfd 3 -screen 0 1024x768x24 -fbdir "$work/server" \
-    3>"$work/display" 2>"$work/xvfb" &
-server=$!
-trap 'status=$?; kill $server 2>/dev/null; wait $server 2>/dev/null
-    [ ! -e "$work/failed" ] || status=1; rm -rf "$work"; exit $status' EXIT
-
-until_true() { # COMMAND...: up to a minute
-    for i in $(seq 600); do
-        "$@" >/dev/null 2>&1 && return
-        sleep 0.1
-    done
-    fail "not within a minute: $*"
-    return 1
-}
-until_true test -s "$work/display"
-DISPLAY=:$(cat "$work/display")
-export DISPLAY
-unset SDL_VIDEODRIVER
+. "$(dirname "$0")/../sim/window.sh"
 
 found() {
     window=$(xdotool search --onlyvisible --pid $pid --name 'window test')
