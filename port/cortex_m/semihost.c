@@ -2,31 +2,18 @@
 
 #if defined(__xtensa__)
 
-enum { SYS_EXIT = 1, SYS_WRITE = 4 };
-
-/* The trap of Tensilica's simulator, which QEMU knows too. */
-static void call(int operation, uint32_t first, uint32_t second, uint32_t third)
-{
-    register int a2 __asm__("a2") = operation;
-    register uint32_t a3 __asm__("a3") = first;
-    register uint32_t a4 __asm__("a4") = second;
-    register uint32_t a5 __asm__("a5") = third;
-    __asm__ volatile("simcall"
-                     : "+r"(a2), "+r"(a3)
-                     : "r"(a4), "r"(a5)
-                     : "memory");
-}
+#include "../lx106/simcall.h"
 
 void semihost_write(const char *text)
 {
     for (; *text; text++)
-        call(SYS_WRITE, 1, (uint32_t)text, 1);
+        simcall(SIMCALL_WRITE, 1, (uint32_t)text, 1);
 }
 
 void semihost_exit(int status)
 {
     for (;;)
-        call(SYS_EXIT, (uint32_t)status, 0, 0);
+        simcall(SIMCALL_EXIT, (uint32_t)status, 0, 0);
 }
 
 #else

@@ -3,6 +3,8 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#include "simcall.h"
+
 extern char bss_begin[], bss_end[];
 int main(void);
 __attribute__((used)) void start(void); /* called below by name */
@@ -16,27 +18,13 @@ __asm__(".section .text.start, \"ax\"\n"
         "call0 start\n"
         ".text\n");
 
-enum { EXIT = 1, WRITE = 4 };
-
-static void host(int call, uint32_t a, uint32_t b, uint32_t c)
-{
-    register int a2 __asm__("a2") = call;
-    register uint32_t a3 __asm__("a3") = a;
-    register uint32_t a4 __asm__("a4") = b;
-    register uint32_t a5 __asm__("a5") = c;
-    __asm__ volatile("simcall"
-                     : "+r"(a2), "+r"(a3)
-                     : "r"(a4), "r"(a5)
-                     : "memory");
-}
-
 static char line[512];
 static uint32_t held;
 
 static int flush(FILE *file)
 {
     (void)file;
-    host(WRITE, 1, (uint32_t)line, held);
+    simcall(SIMCALL_WRITE, 1, (uint32_t)line, held);
     held = 0;
     return 0;
 }
@@ -58,5 +46,5 @@ void start(void)
     const int status = main();
     flush(stdout);
     for (;;)
-        host(EXIT, (uint32_t)status, 0, 0);
+        simcall(SIMCALL_EXIT, (uint32_t)status, 0, 0);
 }
