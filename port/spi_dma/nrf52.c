@@ -20,33 +20,13 @@
 #define SPI_FROM REGISTER(0x40023544)
 #define SPI_COUNT REGISTER(0x40023548)
 #define INTERRUPTS REGISTER(0xE000E104) /* 32 to 63 */
+#define HIGH(pins) (PINS_HIGH = (pins))
+#define LOW(pins) (PINS_LOW = (pins))
 #define TICKS 64000
 
 enum { SCK = 3, MOSI = 4, ENDED = 1 << 6 };
 enum { CS = 1 << 28, DC = 1 << 29, RST = 1 << 30 };
 enum { MOST = 255 }; /* of an nRF52840 65535 */
-
-static void select_chip(bool data)
-{
-    if (data)
-        PINS_HIGH = DC;
-    else
-        PINS_LOW = DC;
-    PINS_LOW = CS;
-}
-
-static void release_chip(void)
-{
-    PINS_HIGH = CS;
-}
-
-static void reset_line(bool high)
-{
-    if (high)
-        PINS_HIGH = RST;
-    else
-        PINS_LOW = RST;
-}
 
 static void begin(const uint8_t *bytes, int32_t n)
 {

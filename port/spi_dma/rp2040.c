@@ -1,8 +1,8 @@
 /* RP2040 at 125 MHz, as its SDK's start-up code or port/rp2040 leaves it: SPI0
  * at 62.5 MHz with channel 0 of the DMA. SCK is GPIO 18, MOSI 19, CS 17, D/C
- * 20, RST
- * 21. Addresses + 0x2000 set bits, + 0x3000 clear them. After the RP2040 data
- * sheet: SIO 2.3.1.7, DMA 2.5.7, resets 2.14, pins 2.19.2, SPI 4.4. */
+ * 20, RST 21. Addresses + 0x2000 set bits, + 0x3000 clear them. After the
+ * RP2040 data sheet: SIO 2.3.1.7, DMA 2.5.7, resets 2.14, pins 2.19.2, SPI 4.4.
+ */
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -28,34 +28,14 @@
 #define DMA_ABORT REGISTER(0x50000444)
 #define TIME REGISTER(0x40054028) /* microseconds */
 #define INTERRUPTS REGISTER(0xE000E100)
+#define HIGH(pins) (PINS_HIGH = (pins))
+#define LOW(pins) (PINS_LOW = (pins))
 
 enum { SCK = 18, MOSI = 19 };
 enum { CS = 1 << 17, DC = 1 << 20, RST = 1 << 21 };
 enum { DMA = 1 << 2, PINS = 1 << 5, PADS = 1 << 8 };
 enum { SPI = 1 << 16, TIMER = 1 << 21 };
 enum { MOST = INT32_MAX };
-
-static void select_chip(bool data)
-{
-    if (data)
-        PINS_HIGH = DC;
-    else
-        PINS_LOW = DC;
-    PINS_LOW = CS;
-}
-
-static void release_chip(void)
-{
-    PINS_HIGH = CS;
-}
-
-static void reset_line(bool high)
-{
-    if (high)
-        PINS_HIGH = RST;
-    else
-        PINS_LOW = RST;
-}
 
 static void drain(void)
 {

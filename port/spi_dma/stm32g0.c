@@ -23,25 +23,11 @@
 #define DMA_FROM REGISTER(0x40020014)
 #define DMA_REQUEST REGISTER(0x40020800)
 #define INTERRUPTS REGISTER(0xE000E100)
+#define HIGH(pins) (PIN = (pins))
+#define LOW(pins) (PIN = (pins) << 16)
 #define TICKS 16000
 
 enum { DC = 1 << 2, RST = 1 << 3, CS = 1 << 4, MOST = 65535 };
-
-static void select_chip(bool data)
-{
-    PIN = data ? DC : DC << 16;
-    PIN = CS << 16;
-}
-
-static void release_chip(void)
-{
-    PIN = CS;
-}
-
-static void reset_line(bool high)
-{
-    PIN = high ? RST : RST << 16;
-}
 
 /* Its queue is empty, and it is not busy. */
 static void drain(void)
