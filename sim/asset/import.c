@@ -85,14 +85,6 @@ static const struct option_row options[] = {
     {.help = NULL},
 };
 
-static bool parse_bits(const char *option, const char *text, void *input)
-{
-    const bool four = strcmp(text, "4") == 0;
-    ((struct import_command *)input)->options.font.bits = four ? 4 : 1;
-    return four || strcmp(text, "1") == 0 ||
-           option_refuse(option, text, "1 or 4");
-}
-
 static const struct option_row font_options[] = {
     {.help = "Fonts:", .kind = OPTION_HEADING},
     {"codes", "RANGES",
@@ -112,8 +104,9 @@ static const struct option_row font_options[] = {
     {"bits", "N",
      "of a glyph's pixel: 1, or 4 of coverage, smooth, of a font of outlines "
      "(1)",
-     OPTION_CALL, .offset = offsetof(struct import_command, options.font.bits),
-     .parse = parse_bits},
+     OPTION_CHOICE,
+     .offset = offsetof(struct import_command, options.font.is_smooth),
+     .expected = "1|4", .n = 1},
     {"font-size", "PX", "from line to line, of a font of outlines (16)",
      OPTION_INTEGER,
      .offset = offsetof(struct import_command, options.font.size), .low = 1,

@@ -48,17 +48,23 @@ static void put_nibble(struct nibbles *n, int value)
     n->count++;
 }
 
+/* Of 15. */
+static int step_of(uint8_t level)
+{
+    return (level * 15 + 127) / 255;
+}
+
 /* Returns the bytes. `to` has room for two nibbles a pixel, all 0. */
 static size_t encode(uint8_t *to, const uint8_t *level, size_t pixels)
 {
     struct nibbles n = {to, 0};
     for (size_t i = 0, run = 1; i < pixels; i += run) {
-        const int value = (level[i] * 15 + 127) / 255;
+        const int value = step_of(level[i]);
         put_nibble(&n, value);
         run = 1;
         if (value > 0 && value < 15)
             continue;
-        while (i + run < pixels && (level[i + run] * 15 + 127) / 255 == value)
+        while (i + run < pixels && step_of(level[i + run]) == value)
             run++;
         for (size_t left = run;; left -= 15) {
             put_nibble(&n, left < 15 ? (int)left : 15);

@@ -71,7 +71,7 @@ static bool put_font(const void *what, FILE *out)
         (begins(&file, "\x1F\x8B", 2) && !font_unpack(&file)) ||
         !parse(&font, &file) || !sort(&font, file.path))
         return false;
-    if (file.options.bits == 4 && !font.is_smooth)
+    if (file.options.is_smooth && !font.is_smooth)
         return message_error_at(file.path, 0,
                                 "has pictures of glyphs, no outlines: expected "
                                 "no --bits 4");

@@ -44,7 +44,7 @@ struct font {
 struct font_options {
     const char *encoding; /* of its codes, by charset_open; NULL: as it says */
     int size;             /* px from line to line of a scalable font */
-    int bits;             /* of a pixel: 4 for coverage, else 1 */
+    bool is_smooth;       /* coverage, of a scalable font */
     bool (*is_wanted)(long code); /* what is not is left out without a word;
                                      NULL: all are */
 };

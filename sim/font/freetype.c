@@ -301,7 +301,7 @@ bool font_parse_other(struct font *font, const struct font_file *file)
         return message_error_at(file->path, 0,
                                 "is no font: expected a BDF, PSF, PCF, "
                                 "TrueType, OpenType or WOFF file");
-    font->is_smooth = file->options.bits == 4 && FT_IS_SCALABLE(r.face);
+    font->is_smooth = file->options.is_smooth && FT_IS_SCALABLE(r.face);
     if (!set_size(&r) || !check_encoding(&r) || !set_charset(&r) ||
         !set_lines(&r) || !add_all(&r))
         return false;

@@ -53,39 +53,39 @@ static int move_to(const FT_Vector *to, void *user)
     return d->failed;
 }
 
-/* A curve of third order; the lower ones are such curves too. */
-static int cubic_to(const FT_Vector *b, const FT_Vector *c, const FT_Vector *to,
-                    void *user)
+/* A curve from p[0] to p[order], by cutting the lines between its points. */
+static int curve_to(struct drawing *d, const FT_Vector *p, int order)
 {
-    struct drawing *d = user;
-    const FT_Vector a = d->at;
     for (int i = 1; i <= PARTS; i++) {
-        const double t = (double)i / PARTS, s = 1 - t;
-        const double wa = s * s * s, wb = 3 * s * s * t, wc = 3 * s * t * t;
-        const double wd = t * t * t;
-        add(d, place(d,
-                     wa * (double)a.x + wb * (double)b->x + wc * (double)c->x +
-                         wd * (double)to->x,
-                     wa * (double)a.y + wb * (double)b->y + wc * (double)c->y +
-                         wd * (double)to->y));
+        double x[4], y[4];
+        for (int k = 0; k <= order; k++) {
+            x[k] = (double)p[k].x;
+            y[k] = (double)p[k].y;
+        }
+        for (int n = order; n > 0; n--)
+            for (int k = 0; k < n; k++) {
+                x[k] += (x[k + 1] - x[k]) * i / PARTS;
+                y[k] += (y[k + 1] - y[k]) * i / PARTS;
+            }
+        add(d, place(d, x[0], y[0]));
     }
-    d->at = *to;
+    d->at = p[order];
     return d->failed;
 }
 
 static int conic_to(const FT_Vector *b, const FT_Vector *to, void *user)
 {
     struct drawing *d = user;
-    const FT_Vector a = d->at;
-    for (int i = 1; i <= PARTS; i++) {
-        const double t = (double)i / PARTS, s = 1 - t;
-        const double wa = s * s, wb = 2 * s * t, wc = t * t;
-        add(d,
-            place(d, wa * (double)a.x + wb * (double)b->x + wc * (double)to->x,
-                  wa * (double)a.y + wb * (double)b->y + wc * (double)to->y));
-    }
-    d->at = *to;
-    return d->failed;
+    const FT_Vector p[] = {d->at, *b, *to};
+    return curve_to(d, p, 2);
+}
+
+static int cubic_to(const FT_Vector *b, const FT_Vector *c, const FT_Vector *to,
+                    void *user)
+{
+    struct drawing *d = user;
+    const FT_Vector p[] = {d->at, *b, *c, *to};
+    return curve_to(d, p, 3);
 }
 
 static int line_to(const FT_Vector *to, void *user)

@@ -37,7 +37,7 @@ static bool load_font(struct script_asset *asset, const char *path)
 {
     const struct font_options options = {.size = asset->size ? asset->size
                                                              : FONT_SIZE,
-                                         .bits = asset->size ? 4 : 1};
+                                         .is_smooth = asset->size > 0};
     struct font font;
     const bool done = font_load(&font, path, &options) &&
                       font_asset_make(&asset->font, &font, path);
