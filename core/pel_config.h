@@ -71,10 +71,11 @@
 
 /* 1: the smallest code and stack, for use with -Os. On a Cortex-M4 a flat
  * triangle saves 0.2 KB of 1.1, a program with a gradient 1 to 2.5 KB, all of
- * core 7 of 34; every paint fits every shape in 384 bytes of stack. A pixel of
- * a gradient takes 5 to 17 times as long, of a texture, a dither or text up to
- * 3 times, of flat colors as long as before (docs/MATRIX.md has both). Nothing
- * but the program sets this: -Os alone takes at most 1.3 times as long as -O2.
+ * core 7 of 34; every paint fits every aliased shape in 384 bytes of stack. A
+ * pixel of a gradient takes 5 to 17 times as long, of a texture, a dither or
+ * text up to 3 times, of flat colors as long as before (docs/MATRIX.md has
+ * both); a smooth edge up to 10 times. Nothing but the program sets this: -Os
+ * alone takes at most 1.3 times as long as -O2.
  */
 #ifndef PEL_SMALL_CODE
 #define PEL_SMALL_CODE 0

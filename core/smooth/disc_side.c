@@ -133,7 +133,7 @@ static uint32_t bulge_of(const struct pel_smooth_strip *s,
 
 /* What lies below a piece and above the strip's near end, 2^-15 px: the factors
  * are at most 2^15 and 2^16. */
-static PEL_NOINLINE uint32_t area_of(const struct pel_smooth_strip *s,
+static PEL_HOT_LOOP uint32_t area_of(const struct pel_smooth_strip *s,
                                      const struct piece *p)
 {
     const uint32_t w = (uint32_t)(p->u1 - p->u0);
@@ -146,6 +146,21 @@ static inline int32_t height_at(const struct pel_smooth_strip *s, int32_t u)
 {
     const int32_t v = pel_smooth_arc_at(s->circle, u >> 8);
     return pel_max(s->near, pel_min(v, s->far));
+}
+
+static inline uint32_t bulge_between(const struct pel_smooth_strip *s,
+                                     const struct piece *p)
+{
+    return s->small ? small_bulge(s->circle, p) : s->bulge >> 5;
+}
+
+/* The area of a column that holds a whole side; `sum` are both of its ends,
+ * from the column's inner boundary on. */
+static inline uint32_t whole_area(const struct pel_smooth_strip *s,
+                                  uint32_t sum)
+{
+    const struct piece p = {s->at_far, s->far, s->at_near, s->near};
+    return (sum >> 2) + bulge_between(s, &p);
 }
 
 /* A column that the arc crosses, whose inner boundary is at u: p is the piece
@@ -164,6 +179,8 @@ static uint32_t column_area(const struct pel_smooth_strip *s, int32_t u,
         p->v0 = s->far;
     }
     const bool last = s->at_near - u <= 65536;
+    if (last && u <= s->at_far && s->far - s->near == 65536)
+        return whole_area(s, (uint32_t)(s->at_far - u + s->at_near - u));
     p->u1 = last ? s->at_near : u + 65536;
     p->v1 = last ? s->near : height_at(s, u + 65536);
     return (whole * (uint32_t)(s->far - s->near) >> 16) + area_of(s, p);
@@ -184,52 +201,42 @@ void pel_smooth_strip_areas(const struct pel_smooth_strip *s, int32_t center,
     }
 }
 
-/* The coverage of an area, for a hole's of what is around it. */
-static inline void put_area(const struct pel_smooth_bytes *to, int32_t i,
-                            uint32_t area)
+/* Coverage, of what is outside where flip is all ones. */
+static inline uint8_t coverage_of(uint32_t area, uint32_t flip)
 {
-    to->first[i * to->step] = (uint8_t)(pel_smooth_coverage(area) ^ to->flip);
+    return pel_smooth_coverage((area ^ flip) + (flip & 32769));
 }
 
-static inline uint32_t bulge_between(const struct pel_smooth_strip *s,
-                                     const struct piece *p)
-{
-    return s->small ? small_bulge(s->circle, p) : s->bulge >> 5;
-}
-
-/* The columns of a whole side that is more than one of them wide: n after the
- * first, of which `full` px are whole. */
+/* The columns of a whole side that is more than one of them wide, of which
+ * `full` px of the first one are whole. */
 static void cross_columns(const struct pel_smooth_strip *s, int32_t full,
-                          int32_t n, const struct pel_smooth_bytes *to)
+                          uint8_t *to, int32_t step, uint32_t flip)
 {
     int32_t u = s->at_far - full + 65536;
     struct piece p = {s->at_far, s->far, u, height_at(s, u)};
-    put_area(to, 0, ((uint32_t)full >> 1) + area_of(s, &p));
-    for (int32_t i = 1; i < n; i++) {
+    *to = coverage_of(((uint32_t)full >> 1) + area_of(s, &p), flip);
+    for (to += step; s->at_near - u >= 65536; to += step) {
         p.u0 = u;
         p.v0 = p.v1;
         u += 65536;
         p.u1 = u;
         p.v1 = height_at(s, u);
         const int32_t sum = p.v0 - s->near + p.v1 - s->near;
-        put_area(to, i, ((uint32_t)sum >> 2) + bulge_between(s, &p));
+        *to = coverage_of(((uint32_t)sum >> 2) + bulge_between(s, &p), flip);
     }
     p = (struct piece){u, p.v1, s->at_near, s->near};
-    put_area(to, n, area_of(s, &p));
+    *to = coverage_of(area_of(s, &p), flip);
 }
 
-int32_t pel_smooth_whole_side(const struct pel_smooth_strip *s, int32_t center,
-                              const struct pel_smooth_bytes *to)
+void pel_smooth_whole_side(const struct pel_smooth_strip *s, int32_t center,
+                           bool hole, uint8_t *to, int32_t step)
 {
     const uint32_t fraction = (uint32_t)center << 8 & 0xFFFF;
     const uint32_t a = fraction + (uint32_t)s->at_far;
     const uint32_t b = fraction + (uint32_t)s->at_near;
-    const uint32_t full = a & 0xFFFF;
-    const int32_t n = (int32_t)(b >> 16) - (int32_t)(a >> 16);
-    const struct piece p = {s->at_far, s->far, s->at_near, s->near};
-    if (n > 0)
-        cross_columns(s, (int32_t)full, n, to);
+    const uint32_t full = a & 0xFFFF, flip = hole ? ~UINT32_C(0) : 0;
+    if (a >> 16 != b >> 16)
+        cross_columns(s, (int32_t)full, to, step, flip);
     else
-        put_area(to, 0, ((full + (b & 0xFFFF)) >> 2) + bulge_between(s, &p));
-    return n + 1;
+        *to = coverage_of(whole_area(s, full + (b & 0xFFFF)), flip);
 }

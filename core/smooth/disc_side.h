@@ -82,17 +82,9 @@ void pel_smooth_strip_areas(const struct pel_smooth_strip *strip,
                             int32_t center, int32_t x, int32_t n,
                             uint16_t *area);
 
-/* Where coverage goes: step is 1 or -1, flip 255 for what is outside. */
-struct pel_smooth_bytes {
-    uint8_t *first;
-    int32_t step;
-    uint8_t flip;
-};
-
 /* The coverage of all columns that the side of a strip crosses which is a pixel
- * high: how many. */
-int32_t pel_smooth_whole_side(const struct pel_smooth_strip *strip,
-                              int32_t center,
-                              const struct pel_smooth_bytes *to);
+ * high, into `to` and on by `step`, 1 or -1; hole: of what is outside. */
+void pel_smooth_whole_side(const struct pel_smooth_strip *strip, int32_t center,
+                           bool hole, uint8_t *to, int32_t step);
 
 #endif

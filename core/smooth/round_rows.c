@@ -58,11 +58,12 @@ void pel_smooth_disc_reach(const struct pel_smooth_disc *disc,
                            struct pel_span reach[2])
 {
     const int32_t above = above_of(round, y), below = below_of(round, y);
-    const struct pel_smooth_strip s = {
-        .at_near = arc_at(disc, pel_max(above - 256, below)),
-        .at_far = arc_at(disc, pel_max(above, below + 256))};
-    reach[0] = pel_smooth_crossed(&s, round->right);
-    reach[1] = pel_smooth_crossed(&s, -round->left);
+    struct pel_smooth_strip s;
+    s.at_near = arc_at(disc, pel_max(above - 256, below));
+    s.at_far = arc_at(disc, pel_max(above, below + 256));
+    reach[0] = pel_smooth_crossed(&s, -round->left);
+    reach[0] = (struct pel_span){-reach[0].x1, -reach[0].x0};
+    reach[1] = pel_smooth_crossed(&s, round->right);
 }
 
 /* The areas of a strip, of what is between both of its sides. */
@@ -104,9 +105,10 @@ void pel_smooth_disc_add(const struct pel_smooth_disc *disc,
 {
     for (int part = 0; part < 3; part++) {
         const struct pel_span v = part_of(disc, round, y, part);
-        struct pel_smooth_strip s = {.circle = &disc->circle};
+        struct pel_smooth_strip s;
         if (v.x0 >= v.x1)
             continue;
+        s.circle = &disc->circle;
         s.near = v.x0 * 256;
         s.far = v.x1 * 256;
         s.at_near = arc_at(disc, part == 1 ? 0 : v.x0);
@@ -120,9 +122,8 @@ void pel_smooth_disc_add(const struct pel_smooth_disc *disc,
 static void put_left(const struct pel_smooth_rows *rows,
                      const struct pel_smooth_strip *s, uint8_t *to, int32_t n)
 {
-    const struct pel_smooth_bytes left = {to + n - 1, -1, 0};
     if (!rows->twin_columns)
-        pel_smooth_whole_side(s, -rows->round.left, &left);
+        pel_smooth_whole_side(s, -rows->round.left, false, to + n - 1, -1);
     else
         for (int32_t i = 0; i < n; i++)
             to[i] = to[2 * n - 1 - i];
@@ -137,11 +138,10 @@ static uint8_t *add_row(struct pel_smooth_rows *rows,
     const struct pel_span r = pel_smooth_crossed(s, rows->round.right);
     const struct pel_span l = pel_smooth_crossed(s, -rows->round.left);
     const int32_t left = l.x1 - l.x0, right = r.x1 - r.x0;
-    const struct pel_smooth_bytes bytes = {to + left, 1, 0};
     if (r.x0 + l.x0 < 0 ||
         left + right > b->coverage + PEL_SMOOTH_BATCH_BYTES - to)
         return NULL;
-    pel_smooth_whole_side(s, rows->round.right, &bytes);
+    pel_smooth_whole_side(s, rows->round.right, false, to + left, 1);
     put_left(rows, s, to, left);
     b->at.full[b->n] = (struct pel_span){-l.x0, r.x0};
     b->count[2 * b->n] = (uint8_t)left;
@@ -189,8 +189,8 @@ void pel_smooth_rows_pass(struct pel_smooth_rows *rows)
     const struct pel_rect *const clip = &rows->smooth.target->clip;
     struct pel_span reach[2];
     pel_smooth_disc_reach(&rows->disc, &rows->round, rows->rows.x0++, reach);
-    rows->rest.x0 = pel_max(-reach[1].x1, clip->x0);
-    rows->rest.x1 = pel_min(reach[0].x1, clip->x1);
+    rows->rest.x0 = pel_max(reach[0].x0, clip->x0);
+    rows->rest.x1 = pel_min(reach[1].x1, clip->x1);
     pel_smooth_disc_go(&rows->disc, &rows->round, rows->rows.x0);
 }
 
@@ -204,12 +204,24 @@ void pel_smooth_rows_rest(struct pel_smooth_rows *rows,
     rows->rest = columns->left;
 }
 
+/* Of the columns between the sides. */
+static int32_t even_of(const struct pel_smooth_rows *rows, int32_t y)
+{
+    int32_t height = 0;
+    for (int part = 0; part < 3; part++) {
+        const struct pel_span v = part_of(&rows->disc, &rows->round, y, part);
+        height += pel_max(v.x1 - v.x0, 0);
+    }
+    return pel_smooth_coverage((uint32_t)height << 7);
+}
+
 static void rest_of_row(struct pel_smooth_rows *rows)
 {
-    struct pel_span r[2];
-    pel_smooth_disc_reach(&rows->disc, &rows->round, rows->rows.x0 - 1, r);
-    const struct pel_span crossed[2] = {{-r[1].x1, -r[1].x0}, r[0]};
-    struct pel_smooth_columns c = {rows->rest, crossed, 2, cover, rows};
+    struct pel_span crossed[2];
+    struct pel_smooth_columns c = {
+        rows->rest, crossed, 2, cover, rows, even_of(rows, rows->rows.x0 - 1)};
+    pel_smooth_disc_reach(&rows->disc, &rows->round, rows->rows.x0 - 1,
+                          crossed);
     pel_smooth_rows_rest(rows, &c);
 }
 
@@ -219,7 +231,7 @@ static PEL_NOINLINE_32 bool next_batch(struct pel_smooth_rows *rows)
     if (rows->rest.x0 >= rows->rest.x1) {
         if (rows->rows.x0 >= rows->rows.x1)
             return false;
-        if (pel_smooth_rows_batch(rows, rows->rows.x1) > 0)
+        if (!PEL_SMALL_CODE && pel_smooth_rows_batch(rows, rows->rows.x1) > 0)
             return true;
         pel_smooth_rows_pass(rows);
     }
@@ -233,7 +245,7 @@ void pel_smooth_rows_paint(struct pel_smooth_rows *rows)
     const int32_t n = b->n;
     pel_smooth_paint_batch(&rows->smooth, b);
     b->n -= n > 0 && 2 * (b->y + n - 1) == rows->image_y;
-    if (rows->twins)
+    if (!PEL_SMALL_CODE && rows->twins)
         pel_smooth_paint_upwards(&rows->smooth, b, rows->image_y - b->y);
     b->n = n;
 }
@@ -265,17 +277,17 @@ static void find_rows(struct pel_smooth_rows *rows, const struct pel_rect *clip)
     seen->x0 = pel_max(top, clip->y0);
     seen->x1 = pel_min(bottom, clip->y1);
     rows->image_y = pel_pixel_of(sum) - 1;
-    rows->twins = (sum & 255) == 0 && seen->x0 == top && seen->x1 == bottom;
+    rows->twins = !PEL_SMALL_CODE && (sum & 255) == 0 && seen->x0 == top &&
+                  seen->x1 == bottom;
     if (rows->twins)
         seen->x1 = (rows->image_y >> 1) + 1;
 }
 
 bool pel_smooth_rows_begin(struct pel_smooth_rows *rows,
                            const struct pel_surface *surface,
-                           const struct pel_smooth_round *round,
                            const struct pel_paint *paint)
 {
-    rows->round = *round;
+    const struct pel_smooth_round *const round = &rows->round;
     find_rows(rows, &surface->clip);
     rows->inside = is_inside(round, &surface->clip);
     rows->twin_columns = ((round->left + round->right) & 255) == 0;
@@ -288,13 +300,8 @@ bool pel_smooth_rows_begin(struct pel_smooth_rows *rows,
     return true;
 }
 
-void pel_smooth_round(const struct pel_surface *surface,
-                      const struct pel_smooth_round *round,
-                      const struct pel_paint *paint)
+void pel_smooth_rows_all(struct pel_smooth_rows *rows)
 {
-    struct pel_smooth_rows rows;
-    if (!pel_smooth_rows_begin(&rows, surface, round, paint))
-        return;
-    while (next_batch(&rows))
-        pel_smooth_rows_paint(&rows);
+    while (next_batch(rows))
+        pel_smooth_rows_paint(rows);
 }

@@ -32,10 +32,9 @@ struct pel_smooth_rows {
     struct pel_smooth_batch batch;
 };
 
-/* A round of legal coordinates; false: nothing is visible. */
+/* Begins with `round`, of legal coordinates; false: nothing is visible. */
 bool pel_smooth_rows_begin(struct pel_smooth_rows *rows,
                            const struct pel_surface *surface,
-                           const struct pel_smooth_round *round,
                            const struct pel_paint *paint);
 
 /* Sets `at` for row y. */
@@ -48,8 +47,7 @@ bool pel_smooth_disc_strip(struct pel_smooth_disc *disc,
                            const struct pel_smooth_round *round, int32_t y,
                            struct pel_smooth_strip *strip);
 
-/* The columns that the sides cross in row y: of the right one, and of the left
- * one in the mirrored picture. */
+/* The columns that the left side crosses in row y, and the right one. */
 void pel_smooth_disc_reach(const struct pel_smooth_disc *disc,
                            const struct pel_smooth_round *round, int32_t y,
                            struct pel_span reach[2]);
@@ -73,9 +71,7 @@ void pel_smooth_rows_rest(struct pel_smooth_rows *rows,
 /* Paints the batch, and its image, if there is one. */
 void pel_smooth_rows_paint(struct pel_smooth_rows *rows);
 
-/* Begins and paints all. */
-void pel_smooth_round(const struct pel_surface *surface,
-                      const struct pel_smooth_round *round,
-                      const struct pel_paint *paint);
+/* Paints all. */
+void pel_smooth_rows_all(struct pel_smooth_rows *rows);
 
 #endif

@@ -63,9 +63,8 @@ bool pel_smooth_begin(struct pel_smooth *smooth,
 }
 
 /* Into colors that are 0. */
-static PEL_NOINLINE_32 void take_colors(const struct pel_smooth *smooth,
-                                        int32_t x, int32_t y, int32_t n,
-                                        pel_color *colors)
+static void take_colors(const struct pel_smooth *smooth, int32_t x, int32_t y,
+                        int32_t n, pel_color *colors)
 {
     struct pel_smooth_surface buffer = {*smooth->target, smooth->target};
     const struct pel_span span = {x, x + n};
@@ -138,8 +137,8 @@ static PEL_NOINLINE_32 void paint_colors(const struct pel_smooth *smooth,
     }
 }
 
-static void paint_runs(const struct pel_smooth *smooth,
-                       const struct pel_smooth_runs *runs)
+static PEL_ALWAYS_INLINE void paint_runs(const struct pel_smooth *smooth,
+                                         const struct pel_smooth_runs *runs)
 {
     const struct pel_flat *const flat = flat_of(smooth->paint);
     if (flat && pel_smooth_is_565(smooth->target))
@@ -167,9 +166,9 @@ static PEL_NOINLINE_32 void paint_full(const struct pel_smooth *smooth,
         smooth->paint->fill(smooth->paint, &spans);
 }
 
-static void paint_bytes(const struct pel_smooth *smooth,
-                        const struct pel_smooth_batch *b, int32_t y,
-                        int32_t step)
+static PEL_NOINLINE_32 void paint_bytes(const struct pel_smooth *smooth,
+                                        const struct pel_smooth_batch *b,
+                                        int32_t y, int32_t step)
 {
     const struct pel_smooth_runs runs = {y,       step,     b->n,
                                          b->at.x, b->count, b->coverage};

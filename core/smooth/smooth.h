@@ -44,7 +44,7 @@ struct pel_smooth_row {
 #if PEL_64BIT
 enum { PEL_SMOOTH_BATCH_ROWS = 16, PEL_SMOOTH_BATCH_BYTES = 128 };
 #elif PEL_SMALL_CODE
-enum { PEL_SMOOTH_BATCH_ROWS = 6, PEL_SMOOTH_BATCH_BYTES = 16 };
+enum { PEL_SMOOTH_BATCH_ROWS = 1, PEL_SMOOTH_BATCH_BYTES = 16 };
 #else
 enum { PEL_SMOOTH_BATCH_ROWS = 8, PEL_SMOOTH_BATCH_BYTES = 40 };
 #endif
@@ -54,12 +54,12 @@ enum { PEL_SMOOTH_BATCH_ROWS = 8, PEL_SMOOTH_BATCH_BYTES = 40 };
  * pixel is full. */
 struct pel_smooth_batch {
     int32_t y, n;
+    uint8_t count[2 * PEL_SMOOTH_BATCH_ROWS];
+    uint8_t coverage[PEL_SMOOTH_BATCH_BYTES];
     union {
         struct pel_span full[PEL_SMOOTH_BATCH_ROWS];
         int32_t x[2 * PEL_SMOOTH_BATCH_ROWS];
     } at;
-    uint8_t count[2 * PEL_SMOOTH_BATCH_ROWS];
-    uint8_t coverage[PEL_SMOOTH_BATCH_BYTES];
 };
 
 struct pel_smooth {

@@ -5,6 +5,11 @@
 
 #include "smooth_walk.h"
 
+static bool has_edge(const struct pel_smooth_walk *k, int i)
+{
+    return k->side[i].edge.from != k->side[i].edge.to;
+}
+
 /* How far down edges cross whole rows on both sides, and how many such rows a
  * batch has room for. */
 static void look_down(struct pel_smooth_walk *k)
@@ -19,19 +24,17 @@ static void look_down(struct pel_smooth_walk *k)
     }
 }
 
+/* On to the edges that row k->y begins with. */
 static void next_edges(struct pel_smooth_walk *k)
 {
+    bool next = false;
     for (int i = 0; i < 2; i++)
-        if (k->v[k->side[i].edge.to].y <= PEL_PX(k->y))
+        while (has_edge(k, i) && k->v[k->side[i].edge.to].y <= PEL_PX(k->y)) {
             pel_smooth_next_edge(k, i);
-    look_down(k);
-}
-
-static void walk_rows(struct pel_smooth_walk *k, int32_t n)
-{
-    pel_smooth_cross(k, n);
-    if (k->y == k->whole)
-        next_edges(k);
+            next = true;
+        }
+    if (next && !PEL_SMALL_CODE)
+        look_down(k);
 }
 
 /* Begins at the top, and moves on to row k->y, if that is below. */
@@ -81,7 +84,8 @@ static void start_sides(struct pel_smooth_walk *k, int32_t y)
         top++;
     start(k, 0, top);
     start(k, 1, top);
-    look_down(k);
+    if (!PEL_SMALL_CODE)
+        look_down(k);
 }
 
 /* False: nothing is to be seen. */
@@ -101,26 +105,36 @@ static PEL_NOINLINE_32 bool begin(struct pel_smooth_walk *k)
     return true;
 }
 
+/* A batch of whole rows, or the first part of a row that is not. */
+static void begin_batch(struct pel_smooth_walk *k)
+{
+    const int32_t n = pel_min(k->whole - k->y, k->rows);
+    if (!PEL_SMALL_CODE && n > 0) {
+        pel_smooth_cross(k, n);
+        return;
+    }
+    pel_smooth_pass_row(k);
+    if (!PEL_SMALL_CODE)
+        look_down(k);
+    pel_smooth_rest_of_row(k);
+}
+
 /* The next batch; false at the end. */
 static PEL_NOINLINE_32 bool next_batch(struct pel_smooth_walk *k)
 {
-    const int32_t n = pel_min(k->whole - k->y, k->rows);
     if (k->rest.x0 < k->rest.x1) {
         pel_smooth_rest_of_row(k);
-    } else if (k->y >= k->end) {
-        return false;
-    } else if (n > 0) {
-        walk_rows(k, n);
-    } else {
-        pel_smooth_pass_row(k);
-        look_down(k);
-        pel_smooth_rest_of_row(k);
+        return true;
     }
+    if (k->y >= k->end)
+        return false;
+    next_edges(k);
+    begin_batch(k);
     return true;
 }
 
-static bool set_outline(struct pel_smooth_walk *k, const struct pel_point *v,
-                        int32_t n)
+static PEL_NOINLINE_32 bool set_outline(struct pel_smooth_walk *k,
+                                        const struct pel_point *v, int32_t n)
 {
     const bool legal = pel_points_legal(v, n);
     PEL_ASSERT(legal);
@@ -130,16 +144,20 @@ static bool set_outline(struct pel_smooth_walk *k, const struct pel_point *v,
     return legal;
 }
 
+static PEL_NOINLINE_32 void paint_all(struct pel_smooth_walk *k)
+{
+    while (next_batch(k))
+        pel_smooth_paint_batch(&k->smooth, &k->of.batch);
+}
+
 void pel_smooth_convex(const struct pel_surface *surface,
                        const struct pel_point *v, int32_t n,
                        const struct pel_paint *paint)
 {
     struct pel_smooth_walk k;
-    if (!set_outline(&k, v, n) ||
-        !pel_smooth_begin(&k.smooth, surface, paint) || n < 3 || !begin(&k))
-        return;
-    while (next_batch(&k))
-        pel_smooth_paint_batch(&k.smooth, &k.of.batch);
+    if (set_outline(&k, v, n) && pel_smooth_begin(&k.smooth, surface, paint) &&
+        n >= 3 && begin(&k))
+        paint_all(&k);
 }
 
 void pel_smooth_triangle(const struct pel_surface *surface,

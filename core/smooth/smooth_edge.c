@@ -76,7 +76,7 @@ static inline uint32_t area_in(const struct pel_smooth_piece *p, int32_t x)
     const uint32_t low = p->lo & 0xFFFF, high = p->hi & 0xFFFF;
     const uint32_t full = p->height * (255 << 8);
     if (a == b)
-        return full - (((low + high) >> 1) * p->height >> 8) * 255;
+        return full - ((low + high) * (p->height >> 1) >> 8) * 255;
     if (x == a)
         return pel_smooth_corner(&p->rise, 65536 - low);
     if (x == b)

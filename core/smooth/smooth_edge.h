@@ -87,9 +87,7 @@ static inline void pel_smooth_piece_set(struct pel_smooth_piece *p, int32_t a,
 }
 
 /* Adds 255 times the area right of a piece in n pixels from x on; takes it away
- * where flip is all ones. Where a piece crosses no other pixel that is its
- * height less the trapezoid left of it, whose middle is rounded down by half a
- * unit of 2^-16 px: .0019. */
+ * where flip is all ones. */
 void pel_smooth_add(const struct pel_smooth_piece *piece, uint32_t flip,
                     int32_t x, int32_t n, uint32_t *area);
 

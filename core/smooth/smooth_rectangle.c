@@ -49,10 +49,10 @@ static void repeat_row(struct pel_smooth_batch *b)
     }
 }
 
-static void paint_row(struct rectangle *k, struct pel_smooth_columns *columns)
+static void paint_row(struct rectangle *k, struct pel_smooth_columns columns)
 {
-    while (columns->left.x0 < columns->left.x1) {
-        pel_smooth_cover(columns, &k->batch);
+    while (columns.left.x0 < columns.left.x1) {
+        pel_smooth_cover(&columns, &k->batch);
         pel_smooth_paint_batch(&k->smooth, &k->batch);
     }
 }
@@ -82,13 +82,14 @@ static void paint_rows(struct rectangle *k, int32_t y, int32_t end)
         crossed,
         2,
         cover,
-        k};
+        k,
+        -1};
     k->batch.y = pel_max(y, clip->y0);
     end = pel_min(end, clip->y1);
-    if (k->batch.y + 1 < end)
+    if (!PEL_SMALL_CODE && k->batch.y + 1 < end)
         paint_alike(k, &columns, end);
-    else if (k->batch.y < end)
-        paint_row(k, &columns);
+    for (; k->batch.y < end; k->batch.y++)
+        paint_row(k, columns);
 }
 
 static void paint_box(struct rectangle *k)

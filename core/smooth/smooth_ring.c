@@ -72,18 +72,15 @@ static void add_sides(struct pel_smooth_batch *b, const struct half *h,
     const struct pel_span disc = pel_smooth_crossed(&h->disc, h->center);
     const int32_t inner = hole.x1 - hole.x0, outer = disc.x1 - disc.x0;
     const int32_t step = h->left ? -1 : 1;
-    struct pel_smooth_bytes bytes = {to, step, 255};
     uint8_t *const count = b->count + 2 * b->n;
-    bytes.first += h->left ? inner + outer - 1 : 0;
-    pel_smooth_whole_side(&h->hole, h->center, &bytes);
-    bytes.first += inner * step;
-    bytes.flip = 0;
-    pel_smooth_whole_side(&h->disc, h->center, &bytes);
-    count[h->left] = (uint8_t)inner;
-    count[!h->left] = (uint8_t)outer;
     b->at.full[b->n] = (struct pel_span){hole.x1, disc.x0};
     if (h->left)
         b->at.full[b->n] = (struct pel_span){-disc.x0, -hole.x1};
+    to += h->left ? inner + outer - 1 : 0;
+    pel_smooth_whole_side(&h->hole, h->center, true, to, step);
+    pel_smooth_whole_side(&h->disc, h->center, false, to + inner * step, step);
+    count[h->left] = (uint8_t)inner;
+    count[!h->left] = (uint8_t)outer;
     b->n++;
 }
 
@@ -179,12 +176,12 @@ static void cover(const void *shape, int32_t x, int32_t n, uint8_t *to)
 static void rest_of_row(struct pel_smooth_ring_walk *ring)
 {
     struct pel_smooth_rows *const rows = &ring->rows;
-    struct pel_span d[2], h[2];
-    pel_smooth_disc_reach(&rows->disc, &rows->round, rows->rows.x0 - 1, d);
-    pel_smooth_disc_reach(&ring->hole, &rows->round, rows->rows.x0 - 1, h);
-    const struct pel_span crossed[4] = {
-        {-d[1].x1, -d[1].x0}, {-h[1].x1, -h[1].x0}, h[0], d[0]};
-    struct pel_smooth_columns c = {rows->rest, crossed, 4, cover, ring};
+    struct pel_span crossed[4];
+    struct pel_smooth_columns c = {rows->rest, crossed, 4, cover, ring, -1};
+    pel_smooth_disc_reach(&rows->disc, &rows->round, rows->rows.x0 - 1,
+                          crossed);
+    pel_smooth_disc_reach(&ring->hole, &rows->round, rows->rows.x0 - 1,
+                          crossed + 2);
     pel_smooth_rows_rest(rows, &c);
 }
 
@@ -228,14 +225,14 @@ static void add_left(struct pel_smooth_ring_walk *ring)
 PEL_NOINLINE_32 bool pel_smooth_ring_next(struct pel_smooth_ring_walk *ring)
 {
     struct pel_smooth_rows *const rows = &ring->rows;
-    if (ring->filled.x0 < ring->filled.x1) {
+    if (!PEL_SMALL_CODE && ring->filled.x0 < ring->filled.x1) {
         add_left(ring);
         return true;
     }
     if (rows->rest.x0 >= rows->rest.x1) {
         if (rows->rows.x0 >= rows->rows.x1)
             return false;
-        if (add_rows(ring))
+        if (!PEL_SMALL_CODE && add_rows(ring))
             return true;
         pel_smooth_rows_pass(rows);
         pel_smooth_disc_go(&ring->hole, &rows->round, rows->rows.x0);
@@ -250,9 +247,10 @@ bool pel_smooth_ring_begin(struct pel_smooth_ring_walk *ring,
                            const struct pel_paint *paint)
 {
     const struct pel_point c = shape->center;
-    const struct pel_smooth_round round = {c.x, c.x, c.y, c.y, shape->outer};
     ring->filled = (struct pel_span){0, 0};
-    if (!pel_smooth_rows_begin(&ring->rows, surface, &round, paint))
+    ring->rows.round =
+        (struct pel_smooth_round){c.x, c.x, c.y, c.y, shape->outer};
+    if (!pel_smooth_rows_begin(&ring->rows, surface, paint))
         return false;
     pel_smooth_circle_set(&ring->hole.circle, shape->inner);
     pel_smooth_disc_go(&ring->hole, &ring->rows.round, ring->rows.rows.x0);

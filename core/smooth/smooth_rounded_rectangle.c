@@ -7,8 +7,9 @@ void pel_smooth_rounded_rectangle(const struct pel_surface *surface,
                                   const struct pel_paint *paint)
 {
     const struct pel_point from = rectangle->from, to = rectangle->to;
-    bool legal = pel_point_legal(from) && pel_point_legal(to) &&
-                 pel_radius_legal(rectangle->radius);
+    const bool legal = pel_point_legal(from) && pel_point_legal(to) &&
+                       pel_radius_legal(rectangle->radius);
+    struct pel_smooth_rows rows;
     PEL_ASSERT(legal);
     PEL_HINT(pel_in_subpixels((struct pel_point[2]){from, to}, 2,
                               rectangle->radius));
@@ -16,7 +17,8 @@ void pel_smooth_rounded_rectangle(const struct pel_surface *surface,
         return;
     const int32_t side = pel_min(to.x - from.x, to.y - from.y);
     const int32_t radius = pel_min(rectangle->radius, side / 2);
-    const struct pel_smooth_round round = {
+    rows.round = (struct pel_smooth_round){
         from.x + radius, to.x - radius, from.y + radius, to.y - radius, radius};
-    pel_smooth_round(surface, &round, paint);
+    if (pel_smooth_rows_begin(&rows, surface, paint))
+        pel_smooth_rows_all(&rows);
 }

@@ -41,7 +41,9 @@ static void put_even(struct pel_smooth_columns *c, struct pel_smooth_batch *b,
     uint8_t *const to = b->coverage + b->count[0];
     if (n == 0)
         return;
-    c->cover(c->shape, c->left.x0, 1, to);
+    *to = (uint8_t)c->even;
+    if (c->even < 0)
+        c->cover(c->shape, c->left.x0, 1, to);
     if (*to == 255) {
         b->at.full[0].x1 = end;
     } else if (*to > 0) {
@@ -55,14 +57,19 @@ static void put_even(struct pel_smooth_columns *c, struct pel_smooth_batch *b,
 
 void pel_smooth_cover(struct pel_smooth_columns *c, struct pel_smooth_batch *b)
 {
-    int32_t end;
+    struct pel_span *const full = b->at.full;
     b->n = 1;
     b->count[0] = b->count[1] = 0;
-    if (is_crossed(c, &end))
-        put_crossed(c, b, 0, end);
-    b->at.full[0] = (struct pel_span){c->left.x0, c->left.x0};
-    if (!is_crossed(c, &end))
-        put_even(c, b, end);
-    if (b->at.full[0].x1 == c->left.x0 && is_crossed(c, &end))
-        put_crossed(c, b, 1, end);
+    for (int side = 0; side < 2; side++) {
+        int32_t end;
+        if (is_crossed(c, &end))
+            put_crossed(c, b, side, end);
+        if (side == 1)
+            break;
+        full->x0 = full->x1 = c->left.x0;
+        if (!is_crossed(c, &end))
+            put_even(c, b, end);
+        if (full->x1 != c->left.x0)
+            break;
+    }
 }

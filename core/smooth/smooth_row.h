@@ -6,7 +6,7 @@
 #include "smooth.h"
 
 /* Pixels whose coverage is asked for at a time. */
-enum { PEL_SMOOTH_PIXELS = PEL_64BIT ? 32 : PEL_SMALL_CODE ? 4 : 8 };
+enum { PEL_SMOOTH_PIXELS = PEL_64BIT ? 32 : 8 };
 
 struct pel_smooth_columns {
     struct pel_span left; /* to do: cut off what is done */
@@ -15,6 +15,8 @@ struct pel_smooth_columns {
     /* Writes the coverage of n pixels from x on. */
     void (*cover)(const void *shape, int32_t x, int32_t n, uint8_t *to);
     const void *shape;
+    int32_t even; /* the coverage of columns that no side crosses; or -1: it
+                     differs */
 };
 
 /* Makes a batch of one row of the first columns that are left. */

@@ -2,13 +2,12 @@
 
 #include "smooth_row.h"
 
-/* A row leaves the rest of its batch to other things. */
-typedef char
-    pel_smooth_row_fits[sizeof(int32_t[4]) +
-                                    sizeof(struct pel_smooth_above[2]) <=
-                                offsetof(struct pel_smooth_batch, count)
-                            ? 1
-                            : -1];
+/* Pixels whose areas are summed at a time. */
+#if defined(__OPTIMIZE_SIZE__) && !PEL_SMALL_CODE
+enum { AT_ONCE = 1 };
+#else
+enum { AT_ONCE = PEL_SMOOTH_PIXELS };
+#endif
 
 static bool has_ended(const struct pel_smooth_vertices *edge)
 {
@@ -55,14 +54,16 @@ void pel_smooth_go_down(struct pel_smooth_side *s, int32_t h)
     s->at += s->step < 0 ? -part : part;
 }
 
-/* Moves a side on by the row. */
+/* Moves a side on by the row. Where an edge goes down to the end of the row it
+ * is as far as a step, or a part of it, takes it, as in rows that are walked.
+ */
 static void pass(struct pel_smooth_walk *k, int i)
 {
     struct pel_smooth_side *const s = &k->side[i];
     const int32_t bottom = PEL_PX(k->y) + 256;
     k->of.row.above[i] =
         (struct pel_smooth_above){(int32_t)(s->at >> 16), s->rise, s->edge};
-    while (!has_ended(&s->edge) && k->v[s->edge.to].y <= bottom)
+    while (!has_ended(&s->edge) && k->v[s->edge.to].y < bottom)
         pel_smooth_next_edge(k, i);
     if (!has_ended(&s->edge))
         pel_smooth_go_down(s, pel_min(bottom - k->v[s->edge.from].y, 256));
@@ -75,12 +76,6 @@ void pel_smooth_pass_row(struct pel_smooth_walk *k)
     k->rest = (struct pel_span){INT32_MIN, INT32_MAX};
     k->y++;
 }
-
-/* Pixels whose areas are summed. */
-struct window {
-    int32_t x, n;
-    uint32_t *area;
-};
 
 /* How much of the row's height an edge crosses. */
 static int32_t height_of(const struct pel_smooth_walk *k,
@@ -100,61 +95,89 @@ static struct pel_rise rise_of(const struct pel_smooth_walk *k, int i,
     return pel_smooth_rise(&k->v[edge->from], &k->v[edge->to]);
 }
 
-static void widen(struct pel_span *span, const struct pel_smooth_piece *p)
+static void widen(struct pel_span *span, int32_t x)
 {
-    span->x0 = pel_min(span->x0, p->lo >> 16);
-    span->x1 = pel_max(span->x1, (p->hi >> 16) + 1);
+    span->x0 = pel_min(span->x0, x);
+    span->x1 = pel_max(span->x1, x + 1);
 }
 
-/* Adds the areas right of side i, or takes them away. The pixels that the side
- * crosses. */
-static PEL_NOINLINE_32 struct pel_span cross_side(
-    const struct pel_smooth_walk *k, int i, const struct window *w)
+/* The pixels that side i crosses. */
+static PEL_NOINLINE_32 struct pel_span crossed_by(
+    const struct pel_smooth_walk *k, int i)
 {
     const struct pel_smooth_above *const above = &k->of.row.above[i];
     struct pel_smooth_vertices edge = above->edge;
-    struct pel_smooth_piece p = {0, 0, above->rise, 0};
     struct pel_span crossed = {INT32_MAX, INT32_MIN};
-    int32_t x = above->x;
+    int32_t begin = above->x >> 16;
     while (!has_ended(&edge) && k->v[edge.from].y < PEL_PX(k->y)) {
         const struct pel_point *const b = &k->v[edge.to];
-        const bool ends = b->y <= PEL_PX(k->y);
-        const int32_t end = ends ? b->x * 256 : (int32_t)(k->side[i].at >> 16);
-        pel_smooth_piece_set(&p, x, end);
-        p.height = (uint32_t)height_of(k, &edge) * 256;
-        widen(&crossed, &p);
-        pel_smooth_add(&p, 0 - (uint32_t)i, w->x, w->n, w->area);
-        if (!ends)
+        widen(&crossed, begin);
+        if (b->y >= PEL_PX(k->y)) {
+            widen(&crossed, (int32_t)(k->side[i].at >> 32));
             break;
-        x = end;
+        }
+        widen(&crossed, pel_pixel_of(b->x));
         find_edge(k, i, &edge);
-        p.rise = rise_of(k, i, &edge);
+        begin = pel_pixel_of(k->v[edge.from].x);
     }
     return crossed;
 }
 
+/* Adds the areas right of side i in n pixels from x on, or takes them away. */
+static PEL_NOINLINE_32 void cross_side(const struct pel_smooth_walk *k, int i,
+                                       int32_t x, int32_t n, uint32_t *area)
+{
+    const struct pel_smooth_above *const above = &k->of.row.above[i];
+    struct pel_smooth_vertices edge = above->edge;
+    struct pel_smooth_piece p = {0, 0, above->rise, 0};
+    int32_t begin = above->x;
+    while (!has_ended(&edge) && k->v[edge.from].y < PEL_PX(k->y)) {
+        const struct pel_point *const b = &k->v[edge.to];
+        const bool ends = b->y < PEL_PX(k->y);
+        const int32_t end = ends ? b->x * 256 : (int32_t)(k->side[i].at >> 16);
+        pel_smooth_piece_set(&p, begin, end);
+        p.height = (uint32_t)height_of(k, &edge) * 256;
+        pel_smooth_add(&p, 0 - (uint32_t)i, x, n, area);
+        if (!ends)
+            return;
+        begin = end;
+        find_edge(k, i, &edge);
+        p.rise = rise_of(k, i, &edge);
+    }
+}
+
 static void cover(const void *shape, int32_t x, int32_t n, uint8_t *to)
 {
-    uint32_t area[PEL_SMOOTH_PIXELS];
-    const struct window w = {x, n, area};
-    for (int32_t i = 0; i < n; i++)
-        area[i] = PEL_SMOOTH_HALF;
-    cross_side(shape, 0, &w);
-    cross_side(shape, 1, &w);
-    for (int32_t i = 0; i < n; i++)
-        to[i] = (uint8_t)(area[i] >> 24);
+    uint32_t area[AT_ONCE];
+    for (int32_t k; n > 0; n -= k, x += k) {
+        k = pel_min(n, AT_ONCE);
+        for (int32_t i = 0; i < k; i++)
+            area[i] = PEL_SMOOTH_HALF;
+        cross_side(shape, 0, x, k, area);
+        cross_side(shape, 1, x, k, area);
+        for (int32_t i = 0; i < k; i++)
+            *to++ = (uint8_t)(area[i] >> 24);
+    }
+}
+
+/* The coverage of what is between the sides. */
+static uint8_t even_of(const struct pel_smooth_walk *k)
+{
+    uint32_t area = PEL_SMOOTH_HALF;
+    cross_side(k, 0, INT32_MAX - 1, 1, &area);
+    return (uint8_t)(area >> 24);
 }
 
 void pel_smooth_rest_of_row(struct pel_smooth_walk *k)
 {
-    static const struct window none = {0, 0, NULL};
     const struct pel_rect *const clip = &k->smooth.target->clip;
-    const struct pel_span crossed[2] = {cross_side(k, 0, &none),
-                                        cross_side(k, 1, &none)};
-    const int32_t end = pel_max(crossed[0].x1, crossed[1].x1);
-    struct pel_smooth_columns c = {k->rest, crossed, 2, cover, k};
+    struct pel_span crossed[2] = {crossed_by(k, 0), crossed_by(k, 1)};
+    struct pel_smooth_columns c = {k->rest, crossed, 2, cover, k, 0};
+    c.even = even_of(k);
     c.left.x0 = pel_max(c.left.x0, pel_max(crossed[0].x0, clip->x0));
-    c.left.x1 = pel_min(end, clip->x1);
+    c.left.x1 = pel_min(pel_max(crossed[0].x1, crossed[1].x1), clip->x1);
+    if (c.left.x1 - PEL_SMOOTH_PIXELS <= c.left.x0)
+        crossed[0] = c.left;
     k->of.row.y = k->y - 1;
     k->of.row.n = 0;
     if (c.left.x0 < c.left.x1)

@@ -42,6 +42,8 @@ struct pel_smooth_walk {
         struct pel_smooth_batch batch;
         struct {
             int32_t y, n;
+            uint8_t count[2 * PEL_SMOOTH_BATCH_ROWS];
+            uint8_t coverage[PEL_SMOOTH_BATCH_BYTES];
             struct pel_span full; /* up to here a batch of one row */
             struct pel_smooth_above above[2];
         } row;

@@ -6,6 +6,7 @@
 #include "core/smooth/smooth_polygon.h"
 #include "core/smooth/smooth_rectangle.h"
 #include "core/smooth/smooth_thick_line.h"
+#include "drivers/crc.h"
 #include "tests/support/check.h"
 #include "tests/support/exact_area.h"
 #include "tests/support/layouts.h"
@@ -200,6 +201,40 @@ TEST(thick_lines)
             pel_smooth_thick_line(&window, &line, &white.paint);
         check_coverage(v, 4);
     }
+}
+
+/* Flat edges, which cross many pixels in a row, and ends on the sides of rows,
+ * too. */
+static void draw_straight(struct random *r, uint32_t kind)
+{
+    struct pel_point v[3];
+    for (int i = 0; i < 3; i++) {
+        v[i].x = random_between(r, -PEL_PX(40), PEL_PX(40));
+        v[i].y = random_between(r, -PEL_PX(9), PEL_PX(SIZE));
+        v[i].y &= random_word(r) % 2 ? -1 : ~255;
+    }
+    const struct pel_thick_line_shape line = {v[0], v[1],
+                                              random_between(r, 1, 700)};
+    if (kind == 0)
+        pel_smooth_thick_line(&window, &line, &white.paint);
+    else if (kind == 1)
+        pel_smooth_rectangle(&window, v[0], v[1], &white.paint);
+    else
+        pel_smooth_triangle(&window, v, &white.paint);
+}
+
+/* Core shows the same in every build, whatever its knobs. */
+TEST(every_build_draws_the_same)
+{
+    const struct pel_rect bounds = {0, 0, SIZE, SIZE};
+    uint32_t crc = 0;
+    for (uint64_t i = 0; i < 20000; i++) {
+        struct random r = {i * i};
+        open_window(&bounds);
+        draw_straight(&r, i % 4);
+        crc = pel_crc(crc, pixels, sizeof pixels);
+    }
+    assert_int_equal(crc, 0x750D912C);
 }
 
 TEST(polygons)
