@@ -44,23 +44,5 @@ enum pel_status pel_frame_start_chosen(struct pel_frame *frame);
  * where all of them are at one end of the distances and the others at the other
  * one: u (s r / (s r + 1 - s) - s) <= u (sqrt r - 1) / (sqrt r + 1).) */
 extern const struct pel_mapping pel_map_chosen;
-
-/* 16 where depths of 16 bits are proven to show what those of 32 bits show of a
- * prepared frame; 32 elsewhere. The caller knows of the scene that of two
- * triangles in a pixel all that is there of one lies `gap` or more behind all
- * of the other: corners move by up to a sub-pixel, and steep triangles get
- * other depths. There is no gap where triangles touch or cross, nor between
- * front and back at the outline of a mesh: cull one side. There is no proof
- * when some vertex is cut off, or `gap` is not above 0.
- *
- * Let the vertices lie from `first` to `far`, in coarse units: z is cut by less
- * than one. Then near / z of both triangles differ by at least
- *
- *     near (gap / far^2 - 1 / first^2).
- *
- * That suffices where it is 2^-15 and a little: a step of 16 bits, and half a
- * step for each plane, which is what those of triangles thinner than 1/256 px
- * are off by at most. */
-int pel_scene_depth_bits(const struct pel_frame *frame, pel_length gap);
 PEL_END_DECLS
 #endif

@@ -36,8 +36,8 @@ static const struct option_row options[] = {
      OPTION_CHOICE, .offset = AT(lines), .n = sizeof(bool),
      .expected = "nothing|line"},
     {"time", NULL,
-     "print on standard error the milliseconds that the drawing took, what "
-     "decided who is in front, and where depths of 16 bits are enough",
+     "print on standard error the milliseconds that the drawing took, and what "
+     "decided who is in front",
      OPTION_FLAG, .offset = AT(timed)},
     {"stats", NULL,
      "for Phong: print the triangles and pixels that each method drew (flat, "

@@ -2,7 +2,6 @@
 
 #include <stdlib.h>
 
-#include "core/scene/select.h"
 #include "sim/cli/message.h"
 
 /* Measured (docs/MEASUREMENTS.md): with fewer pixels to a triangle the proof
@@ -86,24 +85,6 @@ bool scene_draw(const struct scene *scene, const struct pel_surface *surface)
     return true;
 }
 
-/* Says from which gap between surfaces on depths of 16 bits are enough. */
-static void print_gap(FILE *out, const struct scene *scene)
-{
-    pel_length low = 0, high = INT32_MAX;
-    while (high - low > 1) {
-        const pel_length middle = low + (high - low) / 2;
-        if (pel_scene_depth_bits(&scene->frame, middle) == 16)
-            high = middle;
-        else
-            low = middle;
-    }
-    if (high < INT32_MAX)
-        fprintf(out,
-                "16 bits are enough where surfaces are %.6g or more "
-                "behind each other\n",
-                high / 65536. / scene->units);
-}
-
 void scene_print_order(FILE *out, const struct scene *scene)
 {
     const struct pel_rect *part = &scene->doubt.bounds;
@@ -111,10 +92,9 @@ void scene_print_order(FILE *out, const struct scene *scene)
     if (scene->is_proven)
         fprintf(out, "painter's order, proven but for %dx%d px with depths\n",
                 (int)(part->x1 - part->x0), (int)(part->y1 - part->y0));
-    else if (scene->depth_bits > 0) {
+    else if (scene->depth_bits > 0)
         fprintf(out, "depths of %d bits\n", scene->depth_bits);
-        print_gap(out, scene);
-    } else if (!scene->frame.translucent && certify(scene, UINT32_MAX, &doubt))
+    else if (!scene->frame.translucent && certify(scene, UINT32_MAX, &doubt))
         fprintf(out,
                 "painter's order: at most %lu pixels are wrong, of %lu "
                 "triangles\n",
