@@ -73,7 +73,6 @@
 #include "paint/paint_mask.h"
 #include "paint/paint_radial.h"
 #include "paint/paint_texture.h"
-#include "paint/texture_contrast.h"
 #include "paint/turned_picture.h"
 
 #include "image/copy.h"

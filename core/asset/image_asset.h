@@ -19,8 +19,6 @@ struct pel_image_asset {
     int32_t stride;         /* bytes to the next row (page) down */
     uint32_t size;          /* bytes of pixels */
     const void *pixels;     /* aligned to 4 bytes */
-    uint8_t contrast;       /* pel_texels_contrast; 0: not known, as in assets
-                               written before it was there */
 };
 
 /* Rows of memory: rows of pixels, or pages of eight of them. */

@@ -83,7 +83,7 @@ static pel_color vertex_color(const struct pel_frame *frame, uint32_t vertex)
     return color | UINT32_C(0xFF000000);
 }
 
-const struct pel_mapping pel_map_vertices = {vertex_color, NULL, NULL, NULL};
+const struct pel_mapping pel_map_vertices = {vertex_color, NULL, NULL};
 
 const struct pel_color_paint *pel_frame_affine(
     struct pel_frame *frame, const struct pel_texture_corner corner[3])
@@ -106,8 +106,7 @@ static const struct pel_color_paint *affine(struct pel_frame *frame)
     return pel_frame_affine(frame, corner);
 }
 
-const struct pel_mapping pel_map_affine = {NULL, affine, pel_frame_modulate,
-                                           NULL};
+const struct pel_mapping pel_map_affine = {NULL, affine, pel_frame_modulate};
 
 static const struct pel_color_paint *perspective(struct pel_frame *frame)
 {
@@ -120,4 +119,4 @@ static const struct pel_color_paint *perspective(struct pel_frame *frame)
 }
 
 const struct pel_mapping pel_map_perspective = {NULL, perspective,
-                                                pel_frame_modulate, NULL};
+                                                pel_frame_modulate};

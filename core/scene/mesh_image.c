@@ -13,6 +13,5 @@ enum pel_status pel_mesh_texture_of_image(struct pel_mesh_texture *texture,
     texture->wrap_u = (enum pel_wrap)image->wrap_u;
     texture->wrap_v = (enum pel_wrap)image->wrap_v;
     texture->alpha = image->cut_out ? pel_texture_cut_out : NULL;
-    texture->contrast = image->image ? image->image->contrast : 0;
     return pel_image_asset_surface(surface, image->image, format);
 }

@@ -21,9 +21,8 @@ static enum pel_status set_texture(struct pel_frame *frame)
         return PEL_ERROR_NULL;
     if ((uint32_t)t->span > PEL_SPAN_MAX || (t->span & (t->span - 1)))
         return PEL_ERROR_RANGE;
-    pel_sampler *const sampler =
-        t->mapping->sampler ? t->mapping->sampler(frame) : t->sampler;
-    const enum pel_status status = sampler(&frame->texture, &t->texels, &none);
+    const enum pel_status status =
+        t->sampler(&frame->texture, &t->texels, &none);
     frame->texture.wrap_u = (uint8_t)t->wrap_u;
     frame->texture.wrap_v = (uint8_t)t->wrap_v;
     if (status != PEL_OK)
@@ -55,7 +54,6 @@ enum pel_status pel_frame_set_part(struct pel_frame *frame, uint32_t i)
     frame->alpha = (uint8_t)pel_round_div255(pel_alpha(p->color) *
                                              (255u - s->transparency));
     frame->opaque = frame->solid = frame->alpha == 255;
-    frame->room = frame->tolerance;
     frame->mesh_texture = NULL;
     if (!p->texture || !s->texture)
         return PEL_OK;

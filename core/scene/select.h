@@ -26,12 +26,7 @@ extern const struct pel_shading pel_shade_chosen;
 /* Its `start`. */
 enum pel_status pel_frame_start_chosen(struct pel_frame *frame);
 
-/* Samples to scene->tolerance: a bilinear texture gives its nearest texels
- * where its contrast (texture_contrast.h), times the brightest light, is within
- * the tolerance, or within half of it in a scene with light. pel_shade_chosen
- * keeps to what is left.
- *
- * Maps as pel_map_perspective to scene->texel_tolerance: affine, or divided
+/* Maps as pel_map_perspective to scene->texel_tolerance: affine, or divided
  * every 64, 32 ... 2 pixels, or at every one. With r the ratio of the largest
  * distance to the smallest and u the texels, the error is
  *

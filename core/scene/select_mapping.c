@@ -1,6 +1,5 @@
 #include "../base/divide.h"
 #include "select.h"
-#include "select_light.h"
 
 /* 1/256 texel: what corners in 1/256 texel and the exact mapping are off by. */
 enum { MAPPING_ERROR = 3 };
@@ -70,32 +69,4 @@ static const struct pel_color_paint *surface(struct pel_frame *frame)
     return &p->base;
 }
 
-/* The most that a texel is multiplied by, 1/65,536: 1 or what Phong's light
- * may reach. */
-static uint32_t brightest(const struct pel_mesh_lights *lights)
-{
-    const pel_factor *a = lights->ambient;
-    const uint32_t most = (uint32_t)pel_max(pel_max(a[0], a[1]), a[2]) +
-                          pel_light_strength(lights, false) +
-                          pel_light_strength(lights, true);
-    return most > 65536 ? most : 65536;
-}
-
-/* With light, that is left half of the tolerance. */
-static pel_sampler *sampler(struct pel_frame *frame)
-{
-    const struct pel_mesh_texture *t = frame->mesh_texture;
-    const bool lit = frame->lights.lighting;
-    if (t->contrast == 0 || t->sampler == pel_texture_init_nearest ||
-        frame->room < 0)
-        return t->sampler;
-    const uint64_t most = lit ? brightest(&frame->lights) : 65536;
-    const uint64_t error = ((t->contrast - UINT64_C(1)) * most + 255) >> 8;
-    if (error > (uint32_t)frame->room >> lit)
-        return t->sampler;
-    frame->room -= (int32_t)error;
-    return pel_texture_init_nearest;
-}
-
-const struct pel_mapping pel_map_chosen = {NULL, surface, pel_frame_modulate,
-                                           sampler};
+const struct pel_mapping pel_map_chosen = {NULL, surface, pel_frame_modulate};

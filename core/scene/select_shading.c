@@ -21,8 +21,8 @@ static void note(struct pel_frame *frame, enum pel_method method,
                  uint64_t bound)
 {
     frame->work->method = (uint8_t)method;
-    frame->work->bound =
-        (uint32_t)(bound + (uint32_t)(frame->scene->tolerance - frame->room));
+    frame->work->bound = (uint32_t)(bound + (uint32_t)(frame->scene->tolerance -
+                                                       frame->tolerance));
 }
 
 /* One color or Gouraud's; NULL where they are not good enough. Where light
@@ -35,7 +35,7 @@ static const struct pel_paint *try_vertices(struct pel_frame *frame,
     const uint64_t bound =
         c->bounds.plane + GOURAUD_ERROR + (c->surface ? FACTOR_ERROR : 0);
     const uint64_t range = (uint32_t)(lit.range + 1) / 2 * 256;
-    const uint64_t room = (uint32_t)frame->room;
+    const uint64_t room = (uint32_t)frame->tolerance;
     if (bound > room || lit.cut ||
         (c->surface &&
          (lit.most == 255 || frame->lights.lighting->plain_highlights)))
@@ -67,7 +67,7 @@ static const struct pel_paint *try_quick(struct pel_frame *frame,
                                          const struct choice *c)
 {
     const struct pel_light_bounds *b = &c->bounds;
-    uint64_t room = (uint32_t)frame->room - QUICK_ERROR;
+    uint64_t room = (uint32_t)frame->tolerance - QUICK_ERROR;
     uint64_t bound = pel_light_quick_bound(b, 0);
     if (bound > room || frame->lights.count > PEL_QUICK_LIGHTS)
         return NULL;
@@ -107,7 +107,7 @@ static const struct pel_paint *chosen_paint(
         c.lit[i] = (c.lit[i] & 0xFFFFFFu) | (uint32_t)frame->alpha << 24;
         c.own[i] = pel_frame_surface(frame, frame->work->triangle.vertex[i]);
     }
-    if (frame->room >= QUICK_ERROR &&
+    if (frame->tolerance >= QUICK_ERROR &&
         pel_frame_setup(frame)->area >= FEW_PIXELS &&
         pel_light_bound(frame, notes, c.own, &c.corners, &c.bounds)) {
         paint = try_vertices(frame, &c);

@@ -88,9 +88,8 @@ struct pel_frame {
     uint32_t part, begin, end; /* triangles */
     pel_color color;           /* of vertices without colors */
     uint8_t alpha;
-    bool opaque;  /* no pixel is translucent, nor left out */
-    bool solid;   /* no pixel is translucent */
-    int32_t room; /* `tolerance` less what the part's texture takes */
+    bool opaque; /* no pixel is translucent, nor left out */
+    bool solid;  /* no pixel is translucent */
     const struct pel_mesh_texture *mesh_texture; /* NULL: no texture */
     struct pel_texture texture; /* its sampler; its map is set by mappings */
 };
@@ -203,9 +202,6 @@ struct pel_mapping {
     const struct pel_paint *(*modulate)(struct pel_frame *frame,
                                         const struct pel_color_paint *surface,
                                         const pel_color color[3]);
-
-    /* That of frame->mesh_texture, for the part at hand. NULL: its own. */
-    pel_sampler *(*sampler)(struct pel_frame *frame);
 };
 
 /* What mappings are made of. Sets the corners of frame->work->triangle; the
@@ -240,11 +236,10 @@ struct pel_mesh_texture {
     void (*alpha)(struct pel_texture *paint); /* NULL: blended; or
                                                  pel_texture_cut_out */
     enum pel_wrap wrap_u, wrap_v;
-    int32_t span;     /* of pel_map_perspective; 0 is 1, exact */
-    uint8_t contrast; /* for pel_map_chosen: pel_texels_contrast; 0: unknown */
+    int32_t span; /* of pel_map_perspective; 0 is 1, exact */
 };
 
-/* Sets texels, wrap, alpha and contrast to those of an asset's texture, whose
+/* Sets texels, wrap and alpha to those of an asset's texture, whose
  * pixels are of that format; mapping, sampler and span stay. The surface is the
  * caller's, and lives as long as the texture. PEL_ERROR_NULL, errors of
  * pel_image_asset_surface. */

@@ -28,7 +28,6 @@ static const struct pel_paint *counted_paint(
     s->inner = pel_shade_chosen.paint(frame, surface);
     s->at = frame->work->method;
     s->method[s->at].triangles++;
-    s->nearest += frame->room < frame->tolerance;
     if (frame->work->bound > s->bound)
         s->bound = frame->work->bound;
     s->paint = (struct pel_color_paint){{fill, NULL}, colors, frame->opaque};

@@ -19,8 +19,7 @@ struct pel_stats {
         uint32_t triangles; /* cut ones count as often as they have parts */
         uint64_t pixels;
     } method[PEL_METHODS];
-    uint32_t nearest; /* triangles, with nearest texels unlike bilinear ones */
-    uint32_t bound;   /* the largest of all frames, 1/256 step */
+    uint32_t bound;          /* the largest of all frames, 1/256 step */
     int32_t lights_left_out; /* of the last frame */
 };
 

@@ -4,7 +4,6 @@
 #include "core/asset/runs_asset.h"
 #include "core/format/argb8888.h"
 #include "core/format/formats.h"
-#include "core/paint/texture_contrast.h"
 #include "sim/cli/message.h"
 #include "sim/image/canvas.h"
 #include "sim/image/format_names.h"
@@ -36,18 +35,6 @@ static void write_palette(struct import_text *text,
             name, name, bits, name);
 }
 
-/* A palette's colors are those of the picture. */
-static unsigned contrast_of(const struct pel_surface *surface,
-                            const struct picture *picture)
-{
-    struct pel_texels texels = {.colors = picture->pixels,
-                                .width = picture->width,
-                                .height = picture->height};
-    if (!import_has_palette(surface->format))
-        texels.surface = surface;
-    return pel_texels_contrast(&texels);
-}
-
 /* The union gives the bytes the alignment of a word. */
 static void write_bytes(struct import_text *text, const char *what,
                         const uint8_t *bytes, size_t n)
@@ -75,8 +62,7 @@ static void write_head(struct import_text *text, const char *kind,
 }
 
 static void write_asset(struct import_text *text,
-                        const struct pel_surface *surface,
-                        const struct picture *picture)
+                        const struct pel_surface *surface)
 {
     FILE *out = text->output.stream;
     const struct pel_image_asset image = {
@@ -84,9 +70,8 @@ static void write_asset(struct import_text *text,
     const uint32_t size = pel_image_rows(&image) * (uint32_t)surface->stride;
     write_bytes(text, "pixels", surface->pixels, size);
     write_head(text, "IMAGE", surface);
-    fprintf(out, "    %ld,\n    %lu,\n    %s_pixels.bytes,\n",
+    fprintf(out, "    %ld,\n    %lu,\n    %s_pixels.bytes,\n};\n",
             (long)surface->stride, (unsigned long)size, text->options->name);
-    fprintf(out, "    %u,\n};\n", contrast_of(surface, picture));
 }
 
 static void write_runs(struct import_text *text,
@@ -188,7 +173,7 @@ bool picture_write(struct import_text *text, const struct picture *picture,
         runs_free(&runs);
     }
     if (done && !text->options->changes.compress)
-        write_asset(text, &canvas.surface, picture);
+        write_asset(text, &canvas.surface);
     canvas_free(&canvas);
     return done;
 }

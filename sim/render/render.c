@@ -74,9 +74,8 @@ static bool check(const struct render_options *o)
         {s->stats && s->shade != SCENE_PHONG, "--stats is about --shade phong"},
         {s->show_methods && s->shade != SCENE_PHONG,
          "--show-methods is about --shade phong"},
-        {s->tolerance > 0 && !scene_has_choice(s),
-         "--tolerance is for --shade phong and for bilinear textures in "
-         "perspective: expected one of them"},
+        {s->tolerance > 0 && s->shade != SCENE_PHONG,
+         "--tolerance is about --shade phong"},
         {s->stats && s->show_methods,
          "--stats counts what --show-methods does not draw: expected one of "
          "them"},
@@ -236,7 +235,6 @@ static void print_stats(const struct pel_stats *stats)
                 (unsigned)stats->method[i].triangles,
                 (unsigned long long)stats->method[i].pixels);
     fprintf(stderr, "the largest bound: %.2f steps\n", stats->bound / 256.);
-    fprintf(stderr, "nearest texels: %u triangles\n", (unsigned)stats->nearest);
     fprintf(stderr, "lights left out: %d\n", (int)stats->lights_left_out);
 }
 

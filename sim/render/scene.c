@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/paint/texture_contrast.h"
 #include "core/scene/select_light.h"
 #include "sim/cli/message.h"
 
@@ -67,16 +66,13 @@ static void set_texture(struct pel_mesh_texture *to,
                                      .height = from->picture.height,
                                      .opaque = from->opaque};
     to->mapping = mappings[s->mapping];
-    if (s->mapping == SCENE_MAP_PERSPECTIVE &&
-        (s->tolerance > 0 || s->texel_tolerance > 0))
+    if (s->mapping == SCENE_MAP_PERSPECTIVE && s->texel_tolerance > 0)
         to->mapping = &pel_map_chosen;
     if (from->material.is_colored)
         to->mapping = scene_colored(to->mapping);
     to->sampler = s->texture == SCENE_TEXTURE_NEAREST
                       ? pel_texture_init_nearest
                       : pel_texture_init_bilinear;
-    if (s->tolerance > 0 && to->contrast == 0)
-        to->contrast = pel_texels_contrast(&to->texels);
     to->alpha =
         from->material.alpha == MESH_CUT_OUT ? pel_texture_cut_out : NULL;
     to->wrap_u = to->wrap_v = (enum pel_wrap)s->wrap;

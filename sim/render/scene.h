@@ -139,14 +139,6 @@ struct scene_settings {
  * the right order, both sides, ka 0.3, kd 0.7, ks 0.3, shininess 20. */
 extern const struct scene_settings scene_default;
 
-/* Is there something for a tolerance to choose? Phong shading, or nearest
- * texels instead of bilinear ones, where the model has a texture. */
-static inline bool scene_has_choice(const struct scene_settings *s)
-{
-    return s->shade == SCENE_PHONG || (s->texture == SCENE_TEXTURE_BILINEAR &&
-                                       s->mapping == SCENE_MAP_PERSPECTIVE);
-}
-
 /* Fills in what was left open, from the model: the target is the middle of its
  * box; the eye stands in front, a little to the right and above, as near as
  * shows every vertex with a margin of 1/20; pixels are square; the near plane

@@ -104,9 +104,8 @@ const struct option_row scene_option_table[] = {
     {"shade", "MODE", "flat, gouraud (default) or phong",
      CHOICE(settings.shade, SCENE_SHADES)},
     {"tolerance", "STEPS",
-     "the cheapest that is proven to be within so many steps of 255: of Phong "
-     "the method of each triangle, without dim lights; nearest texels instead "
-     "of bilinear ones (default: 0, exact)",
+     "for Phong: for each triangle the cheapest method that is proven to be "
+     "within so many steps of 255, without dim lights (default: 0, exact)",
      NUMBERS(settings.tolerance, 1, 0, 0, 255,
              "a number from 0 to 255, such as 2")},
     {"color", "COLOUR", "#rrggbb for the whole mesh, instead of its colours",

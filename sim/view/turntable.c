@@ -72,8 +72,7 @@ static void title(const struct show *show, char *text)
     const struct scene_settings *s = &t->view.settings;
     const bool has_texture = t->model->textures > 0;
     char steps[32] = "";
-    if (s->tolerance > 0 &&
-        (s->shade == SCENE_PHONG || (has_texture && scene_has_choice(s))))
+    if (s->tolerance > 0 && s->shade == SCENE_PHONG)
         snprintf(steps, sizeof steps, " to %g steps", s->tolerance);
     snprintf(text, SHOW_TITLE_SIZE, "%u triangles, %s%s, %s, %s, %s",
              (unsigned)t->model->mesh.triangles, shades[s->shade], steps,

@@ -59,11 +59,8 @@ static void any_dress(struct random *r, struct any_scene *s)
     if (random_word(r) % 2)
         s->mesh.colors = NULL;
     s->scene.color = random_word(r);
-    if (random_word(r) % 3 == 0) {
+    if (random_word(r) % 3 == 0)
         any_scene_noise(r, s, random_between(r, 2, 5));
-        if (random_word(r) % 2)
-            any_scene_smooth(r, s);
-    }
     if (s->scene.texture && random_word(r) % 3 == 0)
         s->texture.mapping = &pel_map_vertices;
 }
@@ -73,7 +70,7 @@ TEST(soups)
     static struct any_scene s;
     static struct canvas exact, chosen;
     struct pel_frame frame;
-    int32_t worst[5] = {0}, lights = 0, nearest = 0;
+    int32_t worst[5] = {0}, lights = 0;
     for (struct cases c = cases_of(400); cases_next(&c);) {
         any_scene(&c.random, &s, SIDE);
         any_dress(&c.random, &s);
@@ -84,7 +81,6 @@ TEST(soups)
             s.scene.tolerance = tolerances[i] * 256;
             any_scene_draw(&s, &pel_shade_chosen, &frame, &chosen);
             lights += s.lighting.lights - frame.lights.count;
-            nearest += frame.room < frame.tolerance;
             const int32_t off = canvas_difference(&exact, &chosen);
             worst[i] = pel_max(worst[i], off);
             if (off > tolerances[i])
@@ -96,7 +92,7 @@ TEST(soups)
                   worst[0], worst[1], worst[2], worst[3], worst[4]);
     for (int i = 0; i < 5 && is_whole_set(); i++)
         assert_true(worst[i] * 2 >= tolerances[i]);
-    assert_true(!is_whole_set() || (lights > 0 && nearest > 0));
+    assert_true(!is_whole_set() || lights > 0);
 }
 
 static uint64_t covered_by_soup;

@@ -63,8 +63,7 @@ static bool set_textures(struct pel_scene *scene)
         texture[i].sampler = pel_texture_init_nearest;
         if (i == MOST ||
             pel_mesh_texture_of_image(&texture[i], &surface[i], &asset.image[i],
-                                      &pel_rgb565_le) != PEL_OK ||
-            texture[i].contrast != pel_texels_contrast(&texture[i].texels))
+                                      &pel_rgb565_le) != PEL_OK)
             return false;
     }
     return true;

@@ -239,23 +239,6 @@ done
 assets="$dir/again/square.o $dir/again/picture.o $dir/again/letters.o"
 $CC -std=c99 $WARNINGS -I. $INCLUDE "$dir/use.c" $assets "$LIBPEL" -o "$dir/use"
 "$dir/use" || fail "an asset of a header is refused"
-# A picture as it was written before contrasts were still is one, without any.
-cat >"$dir/old.c" <<'EOF'
-#include <pel/pel.h>
-
-static const uint32_t pixels[1];
-static const struct pel_image_asset old = {
-    PEL_IMAGE_MAGIC, PEL_IMAGE_VERSION, PEL_FORMAT_RGB565_LE, 2, 1, 4, 4, pixels,
-};
-
-int main(void)
-{
-    return pel_image_asset_check(&old, &pel_rgb565_le) != PEL_OK ||
-           old.contrast || old.version != 1;
-}
-EOF
-$CC -std=c99 -Wall -Werror $INCLUDE "$dir/old.c" "$LIBPEL" -o "$dir/old" &&
-    "$dir/old" || fail "an old picture is refused"
 if command -v c++ >/dev/null; then
     c++ -x c++ -Wall -Wextra -Werror -I. $INCLUDE "$dir/use.c" -x none $assets \
         "$LIBPEL" -o "$dir/use"

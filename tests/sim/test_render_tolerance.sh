@@ -49,10 +49,8 @@ cmp -s "$work/a.ppm" "$work/b.ppm" || fail "exact is not shown red"
 for option in --stats --show-methods; do
     refused_command "$option is about --shade phong" render builtin:vase $option
 done
-for option in "--texture nearest" "--mapping affine" "--texture none"; do
-    refused_command "--tolerance is for --shade phong and for bilinear" \
-        render builtin:vase --tolerance 2 $option
-done
+refused_command "--tolerance is about --shade phong" \
+    render builtin:vase --tolerance 2
 refused_command "expected one of them" render builtin:vase --shade phong \
     --stats --show-methods
 refused_command "such as 2" render builtin:vase --tolerance 256
@@ -62,30 +60,9 @@ refused_command "expected --mapping perspective" render builtin:vase \
     --texel-tolerance 1 --mapping affine
 refused_command "expected --mapping subdivided" render builtin:vase --span 16
 
-# A dim light is left out, and a texture of slow gradients shows its nearest
-# texels, within a few steps of the mix.
-printf 'P3\n8 8\n255\n' >"$work/slow.ppm"
-awk 'BEGIN {
-    for (i = 0; i < 192; i++) {
-        u = int(i / 3) % 8
-        print 100 + (u < 4 ? u : 8 - u)
-    }
-}' >>"$work/slow.ppm"
-slow="builtin:vase --texture-file $work/slow.ppm"
+# A dim light is left out.
 lights="--light 1,2,3:1,1,1 --light 3,2,1:0.002,0.002,0.002"
-within $slow $lights
-$render $slow $lights --tolerance 4 --stats -o "$work/a.ppm" 2>"$work/stats"
+within builtin:vase $lights
+$render builtin:vase $lights --tolerance 4 --stats -o "$work/a.ppm" \
+    2>"$work/stats"
 grep -qx 'lights left out: 1' "$work/stats" || fail "lights: $(cat "$work/stats")"
-grep -qx 'nearest texels: [1-9][0-9]* triangles' "$work/stats" ||
-    fail "nearest: $(cat "$work/stats")"
-
-# So it does with any shading.
-for render in "$render --shade flat" "$render --shade gouraud"; do
-    within $slow
-    for option in "" "--tolerance 4" "--texture nearest"; do
-        $render $slow $option -o "$work/a$option.ppm"
-    done
-    cmp -s "$work/a--tolerance 4.ppm" "$work/a.ppm" && fail "$render: bilinear"
-    cmp -s "$work/a--tolerance 4.ppm" "$work/a--texture nearest.ppm" ||
-        fail "$render: not nearest"
-done

@@ -1,7 +1,5 @@
 #include "any_scene.h"
 
-#include "core/paint/texture_contrast.h"
-
 #include <stdio.h>
 
 #include "check.h"
@@ -209,20 +207,6 @@ void any_scene_noise(struct random *r, struct any_scene *s, int bits)
     s->texture.sampler = pel_texture_init_bilinear;
     s->texture.wrap_u = (enum pel_wrap)random_between(r, 0, 2);
     s->texture.wrap_v = (enum pel_wrap)random_between(r, 0, 2);
-}
-
-void any_scene_smooth(struct random *r, struct any_scene *s)
-{
-    static pel_color smooth[32 * 32];
-    const pel_color own =
-        random_word(r) & random_word(r) & UINT32_C(0xFFF0F0F0);
-    const pel_color noise =
-        UINT32_C(0x0F0F0F) >> random_between(r, 0, 3) & UINT32_C(0x0F0F0F);
-    for (int i = 0; i < 32 * 32; i++)
-        smooth[i] = own | (random_word(r) & noise);
-    s->texture.texels.colors = smooth;
-    s->texture.texels.opaque = false;
-    s->texture.contrast = pel_texels_contrast(&s->texture.texels);
 }
 
 void any_scene_prepare(struct any_scene *s, struct pel_frame *frame)

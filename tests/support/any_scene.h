@@ -43,10 +43,6 @@ void any_scene_light(struct random *r, struct any_scene *s);
  * bilinear, in perspective. */
 void any_scene_noise(struct random *r, struct any_scene *s, int bits);
 
-/* Makes that a texture whose texels differ by a few steps, of any alpha, with
- * their contrast. */
-void any_scene_smooth(struct random *r, struct any_scene *s);
-
 /* Where its mesh stands. */
 static inline const struct pel_pose *any_scene_pose(const struct any_scene *s)
 {
