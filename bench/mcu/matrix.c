@@ -42,8 +42,12 @@ static union {
     struct pel_fan fan;
     struct pel_gouraud gouraud;
     struct pel_texture texture;
+    struct pel_checker checker;
+    struct pel_hatch hatch;
+    struct pel_nine_slice slices;
 } source;
 static struct pel_dither dither;
+static struct pel_blend blend;
 static const struct pel_paint *paint;
 
 /* A mesh of one triangle, larger than the screen, under one light. */
@@ -95,6 +99,9 @@ enum make {
     GOURAUD,
     NEAREST,
     BILINEAR,
+    CHECKER,
+    HATCH,
+    SLICES,
     MESH_FLAT,
     MESH_GOURAUD,
     MESH_PHONG
@@ -108,6 +115,10 @@ static enum pel_status make_source(enum make what)
     static struct pel_fan_triangle triangles[4];
     static const struct pel_fan_points fan = {
         PEL_AT(120, 160), PEL_RGB(255, 255, 255), corners, colors, 4};
+    static const struct pel_checker_fields fields = {12, 12, 0, 0};
+    static const struct pel_hatch_lines lines = {1, 1, 0, 9, 3};
+    static const struct pel_rect middle = {8, 8, 16, 16},
+                                 screen = {0, 0, 240, 320};
     switch (what) {
     case FLAT:
         source.flat = flat;
@@ -135,6 +146,12 @@ static enum pel_status make_source(enum make what)
         return pel_texture_init_nearest(&source.texture, &texels, &turned);
     case BILINEAR:
         return pel_texture_init_bilinear(&source.texture, &texels, &turned);
+    case CHECKER:
+        return pel_checker_init(&source.checker, &fields, colors[0], colors[1]);
+    case HATCH:
+        return pel_hatch_init(&source.hatch, &lines, colors[0], colors[1]);
+    case SLICES:
+        return pel_nine_slice_init(&source.slices, &picture, &middle, &screen);
     case MESH_FLAT:
         return make_mesh(&pel_shade_lit_flat);
     case MESH_GOURAUD:
@@ -225,32 +242,36 @@ static const struct {
     const char *name;
     enum make make;
     void (*draw)(int32_t width, int32_t rows);
-    bool dithered;
+    enum { PLAIN, DITHERED, XORED } around;
 } cases[] = {
-    {"flat", FLAT, draw_paint, false},
-    {"alpha", ALPHA, draw_paint, false},
-    {"linear-vertical", VERTICAL, draw_paint, false},
-    {"linear-horizontal", HORIZONTAL, draw_paint, false},
-    {"linear-sloped", SLOPED, draw_paint, false},
-    {"radial", RADIAL, draw_paint, false},
-    {"conic", CONIC, draw_paint, false},
-    {"hue", HUE, draw_paint, false},
-    {"fan", FAN, draw_paint, false},
-    {"gouraud", GOURAUD, draw_paint, false},
-    {"nearest", NEAREST, draw_paint, false},
-    {"bilinear", BILINEAR, draw_paint, false},
-    {"dithered-flat", FLAT, draw_paint, true},
-    {"dithered-linear", SLOPED, draw_paint, true},
-    {"dithered-gouraud", GOURAUD, draw_paint, true},
-    {"dithered-nearest", NEAREST, draw_paint, true},
-    {"copy", FLAT, draw_copy, false},
-    {"copy-keyed", FLAT, draw_keyed, false},
-    {"copy-alpha", FLAT, draw_copy_alpha, false},
-    {"copy-runs", FLAT, draw_runs, false},
-    {"text", FLAT, draw_text, false},
-    {"mesh-flat", MESH_FLAT, draw_mesh, false},
-    {"mesh-gouraud", MESH_GOURAUD, draw_mesh, false},
-    {"mesh-phong", MESH_PHONG, draw_mesh, false},
+    {"flat", FLAT, draw_paint, PLAIN},
+    {"alpha", ALPHA, draw_paint, PLAIN},
+    {"linear-vertical", VERTICAL, draw_paint, PLAIN},
+    {"linear-horizontal", HORIZONTAL, draw_paint, PLAIN},
+    {"linear-sloped", SLOPED, draw_paint, PLAIN},
+    {"radial", RADIAL, draw_paint, PLAIN},
+    {"conic", CONIC, draw_paint, PLAIN},
+    {"hue", HUE, draw_paint, PLAIN},
+    {"fan", FAN, draw_paint, PLAIN},
+    {"gouraud", GOURAUD, draw_paint, PLAIN},
+    {"nearest", NEAREST, draw_paint, PLAIN},
+    {"bilinear", BILINEAR, draw_paint, PLAIN},
+    {"checker", CHECKER, draw_paint, PLAIN},
+    {"hatch", HATCH, draw_paint, PLAIN},
+    {"nine-slice", SLICES, draw_paint, PLAIN},
+    {"xor-flat", FLAT, draw_paint, XORED},
+    {"dithered-flat", FLAT, draw_paint, DITHERED},
+    {"dithered-linear", SLOPED, draw_paint, DITHERED},
+    {"dithered-gouraud", GOURAUD, draw_paint, DITHERED},
+    {"dithered-nearest", NEAREST, draw_paint, DITHERED},
+    {"copy", FLAT, draw_copy, PLAIN},
+    {"copy-keyed", FLAT, draw_keyed, PLAIN},
+    {"copy-alpha", FLAT, draw_copy_alpha, PLAIN},
+    {"copy-runs", FLAT, draw_runs, PLAIN},
+    {"text", FLAT, draw_text, PLAIN},
+    {"mesh-flat", MESH_FLAT, draw_mesh, PLAIN},
+    {"mesh-gouraud", MESH_GOURAUD, draw_mesh, PLAIN},
+    {"mesh-phong", MESH_PHONG, draw_mesh, PLAIN},
 };
 
 static int32_t draw_time(int i, int32_t width, int32_t rows)
@@ -265,7 +286,10 @@ static void make(int i)
     if (make_source(cases[i].make) != PEL_OK)
         printf("%s refused\n", cases[i].name);
     pel_dither_init(&dither, &source.paint);
-    paint = cases[i].dithered ? &dither.paint : &source.paint;
+    pel_blend_init(&blend, &source.paint, PEL_BLEND_XOR);
+    paint = cases[i].around == DITHERED ? &dither.paint
+            : cases[i].around == XORED  ? &blend.paint
+                                        : &source.paint;
 }
 
 static void case_report(int i, const char *format)

@@ -100,6 +100,8 @@ END
         sub(/^linear-.*/, "linear", name)
         sub(/^alpha$/, "flat_alpha", name)
         sub(/^dithered-flat$/, "dither", name)
+        sub(/^xor-flat$/, "blend", name)
+        sub(/-slice$/, "_slice", name)
         name = "paint_" name
         if (!((cpu[c] "-Os", name) in size))
             return ""

@@ -27,6 +27,7 @@ struct script_pen {
     uint16_t phase; /* of radial gradients */
     uint8_t fewer;  /* cells of a gradient with stops: halved so often */
     bool bilinear, dither;
+    uint8_t blend;       /* 0, or enum pel_blend_mode + 1 */
     bool collinear_line; /* a triangle without area is a line */
     bool smooth;         /* shapes that have a smooth twin */
     struct pel_rect clip;
@@ -137,7 +138,8 @@ bool script_covers(const struct script_pen *pen, const struct script_item *item,
 uint32_t script_coverage(const struct script_pen *pen,
                          const struct script_item *item, const int pixel[2]);
 
-/* The paint in force, dithered when that is; good until the next call. */
+/* The paint in force, blended and dithered when that is; good until the next
+ * call. */
 const struct pel_paint *script_paint(const struct script_pen *pen);
 
 /* Bytes of struct script_paints, memory for any paint. */

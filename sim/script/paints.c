@@ -1,8 +1,11 @@
 /* Paints and their settings. Paints are made for every shape that they fill. */
+#include "core/paint/paint_blend.h"
 #include "core/paint/paint_conic.h"
 #include "core/paint/paint_dither.h"
 #include "core/paint/paint_fan.h"
 #include "core/paint/paint_linear.h"
+#include "core/paint/paint_nine_slice.h"
+#include "core/paint/paint_pattern.h"
 #include "core/paint/paint_radial.h"
 #include "core/paint/paint_texture.h"
 #include "sim/script/parser.h"
@@ -26,7 +29,11 @@ struct script_paints {
         struct pel_hue_wheel wheel;
         struct pel_fan fan;
         struct pel_texture texture;
+        struct pel_checker checker;
+        struct pel_hatch hatch;
+        struct pel_nine_slice slices;
     } any;
+    struct pel_blend blend;
     struct pel_dither dither;
     pel_color ramp[SCRIPT_RAMP_COLORS];
     struct pel_fan_triangle triangles[SCRIPT_FAN_POINTS_MAX];
@@ -154,6 +161,41 @@ static void make_texture_map(const struct script_pen *pen, const int32_t *v)
     make_mapped(pen, v[0], &map);
 }
 
+static void make_checker(const struct script_pen *pen, const int32_t *v)
+{
+    const struct pel_checker_fields fields = {v[2], v[3], v[0], v[1]};
+    pel_checker_init(&pen->paints->any.checker, &fields, (pel_color)v[4],
+                     (pel_color)v[5]);
+}
+
+static enum pel_status init_hatch(struct pel_hatch *hatch, const int32_t *v)
+{
+    const struct pel_hatch_lines lines = {v[0], v[1], v[2], v[3], v[4]};
+    return pel_hatch_init(hatch, &lines, (pel_color)v[5], (pel_color)v[6]);
+}
+
+static void make_hatch(const struct script_pen *pen, const int32_t *v)
+{
+    init_hatch(&pen->paints->any.hatch, v);
+}
+
+static struct pel_rect rect_of(const int32_t *v)
+{
+    return (struct pel_rect){v[0], v[1], v[0] + v[2], v[1] + v[3]};
+}
+
+/* Without a middle inside the picture it draws nothing. */
+static void make_slices(const struct script_pen *pen, const int32_t *v)
+{
+    struct pel_nine_slice *const p = &pen->paints->any.slices;
+    const struct pel_surface *const picture =
+        &pen->script->assets[v[0]].picture;
+    const struct pel_rect asked = rect_of(v + 1), box = rect_of(v + 5);
+    const struct pel_rect middle = pel_rect_intersect(&asked, &picture->bounds);
+    pel_nine_slice_init(p, picture, &middle, &box);
+    p->tiled = pen->wrap == PEL_WRAP_REPEAT;
+}
+
 const struct pel_paint *script_paint(const struct script_pen *pen)
 {
     static const int32_t white = -1;
@@ -162,9 +204,15 @@ const struct pel_paint *script_paint(const struct script_pen *pen)
         pen->paint->command->make(pen, script_values(pen, pen->paint));
     else
         make_flat(pen, &white);
+    const struct pel_paint *paint = &paints->any.paint;
+    if (pen->blend) {
+        pel_blend_init(&paints->blend, paint,
+                       (enum pel_blend_mode)(pen->blend - 1));
+        paint = &paints->blend.paint;
+    }
     if (!pen->dither)
-        return &paints->any.paint;
-    pel_dither_init(&paints->dither, &paints->any.paint);
+        return paint;
+    pel_dither_init(&paints->dither, paint);
     return &paints->dither.paint;
 }
 
@@ -224,6 +272,22 @@ static const char *check_fan(const int32_t *v, size_t n)
                : "expected points that go around their middle once";
 }
 
+static const char *check_hatch(const int32_t *v, size_t n)
+{
+    struct pel_hatch hatch;
+    (void)n;
+    return init_hatch(&hatch, v) == PEL_OK ? NULL
+                                           : "expected DX and DY in -255..255, "
+                                             "and a width up to the period";
+}
+
+static const char *check_slices(const int32_t *v, size_t n)
+{
+    const struct pel_rect box = rect_of(v + 5);
+    (void)n;
+    return pel_bounds_legal(&box) ? NULL : "expected a box up to 32767";
+}
+
 #define STATE(member) SCRIPT_STATE, SCRIPT_SETTING(struct script_pen, member, 1)
 
 const struct script_command script_paint_commands[] = {
@@ -246,11 +310,18 @@ const struct script_command script_paint_commands[] = {
      "FILE X0 Y0 U0 V0 X1 Y1 U1 V1 X2 Y2 U2 V2", SCRIPT_PAINT,
      .make = make_texture_map},
     {"paint texture", "Pii", "FILE X Y", SCRIPT_PAINT, .make = make_texture},
+    {"paint checker", "iisscc", "X Y WIDTH HEIGHT COLOUR COLOUR", SCRIPT_PAINT,
+     .make = make_checker},
+    {"paint hatch", "iiisncc", "DX DY PHASE PERIOD WIDTH COLOUR COLOUR",
+     SCRIPT_PAINT, .make = make_hatch, .check = check_hatch},
+    {"paint slices", "Pnnssiiss", "FILE LEFT TOP WIDTH HEIGHT X Y WIDTH HEIGHT",
+     SCRIPT_PAINT, .make = make_slices, .check = check_slices},
     {"option spread", "o", "pad|repeat|reflect", STATE(spread)},
     {"option phase", "t", "TURN", STATE(phase)},
     {"option cells", "o", "2048|1024|512|256|128|64", STATE(fewer)},
     {"option filter", "o", "nearest|bilinear", STATE(bilinear)},
     {"option wrap", "o", "clamp|repeat|mirror", STATE(wrap)},
     {"option dither", "o", "off|on", STATE(dither)},
+    {"option blend", "o", "none|xor|add|multiply", STATE(blend)},
     {.next = script_mesh_commands},
 };

@@ -95,6 +95,34 @@ static void stripes(const struct pel_color_paint *paint, int32_t x, int32_t y,
         colors[i] = (uint32_t)(x + i + y) * UINT32_C(0x10204081);
 }
 
+static void pattern(struct api *a, union any_paint *p)
+{
+    const struct pel_rect r = api_rect(a), box = api_rect(a);
+    const pel_color on = input_word(&a->in), off = input_word(&a->in);
+    const struct pel_checker_fields fields = {r.x0, r.y0, r.x1, r.y1};
+    const struct pel_hatch_lines lines = {r.x0, r.y0, r.x1, r.y1, box.x0};
+    switch (input_below(&a->in, 3)) {
+    case 0:
+        pel_checker_init(&p->checker, &fields, on, off);
+        break;
+    case 1:
+        pel_hatch_init(&p->hatch, &lines, on, off);
+        break;
+    default:
+        pel_nine_slice_init(&p->slices, &a->surface[API_SURFACES], &r, &box);
+        p->slices.tiled = on & 1;
+    }
+}
+
+/* Blends and dithers have sources in lower slots, so that none is its own by
+ * way of others. */
+static void blend(struct api *a, struct pel_blend *paint, int slot)
+{
+    const struct pel_paint *const source =
+        slot > 0 ? &a->paint[input_below(&a->in, (uint32_t)slot)].paint : NULL;
+    pel_blend_init(paint, source, (enum pel_blend_mode)input_below(&a->in, 4));
+}
+
 void api_paint(struct api *a)
 {
     static const struct pel_color_paint striped =
@@ -106,7 +134,7 @@ void api_paint(struct api *a)
     const struct pel_ramp ramp = ramp_of(a);
     const struct pel_point at = api_point(a);
     struct pel_rings rings = {at, input_number(&a->in), flat.color & 0xFFFF};
-    switch (kind % 12) {
+    switch (kind % 14) {
     case 0:
         pel_linear_init(&p->linear, at, api_point(a), &ramp);
         break;
@@ -129,13 +157,20 @@ void api_paint(struct api *a)
         texture(a, &p->texture);
         break;
     case 8:
-        pel_dither_init(&p->dither,
-                        &a->paint[input_below(&a->in, API_PAINTS)].paint);
+        pel_dither_init(
+            &p->dither,
+            &a->paint[input_below(&a->in, (uint32_t)slot + 1)].paint);
         break;
     case 9:
-        p->colors = striped;
+        pattern(a, p);
         break;
     case 10:
+        blend(a, &p->blend, slot);
+        break;
+    case 11:
+        p->colors = striped;
+        break;
+    case 12:
         fill_ramp(a);
         break;
     default:

@@ -12,7 +12,7 @@ LINK_SHAPES := triangle triangle_or_line polygon rectangle line thick_line \
     rectangle_outline rounded_rectangle_outline circle_outline \
     ellipse_outline arc_outline polygon_outline text
 LINK_PAINTS := flat flat_alpha gouraud linear radial conic hue fan nearest \
-    nearest_colors bilinear dither user
+    nearest_colors bilinear dither blend checker hatch nine_slice user
 # Chips of drivers/panel.h, of which every CPU has two.
 LINK_COLOR := st7789 st7735 st7796 ili9341 ili9342 ili9488 gc9a01 ssd1351
 LINK_MONO := ssd1306 ssd1309 sh1106 sh1107 st7565 pcd8544

@@ -112,6 +112,37 @@ static inline const struct pel_paint *make_dither(void)
     return &paint.paint;
 }
 
+static inline const struct pel_paint *make_blend(void)
+{
+    static struct pel_blend paint;
+    pel_blend_init(&paint, make_flat_alpha(), PEL_BLEND_XOR);
+    return &paint.paint;
+}
+
+static inline const struct pel_paint *make_checker(void)
+{
+    static const struct pel_checker_fields fields = {3, 5, 1, 2};
+    static struct pel_checker paint;
+    pel_checker_init(&paint, &fields, hues[0], hues[1]);
+    return &paint.base.paint;
+}
+
+static inline const struct pel_paint *make_hatch(void)
+{
+    static const struct pel_hatch_lines lines = {1, -1, 5, 7, 2};
+    static struct pel_hatch paint;
+    pel_hatch_init(&paint, &lines, hues[0], hues[1]);
+    return &paint.base.paint;
+}
+
+static inline const struct pel_paint *make_nine_slice(void)
+{
+    static const struct pel_rect middle = {1, 1, 3, 3}, box = {2, 3, 40, 50};
+    static struct pel_nine_slice paint;
+    pel_nine_slice_init(&paint, &picture, &middle, &box);
+    return &paint.base.paint;
+}
+
 static void stripes(const struct pel_color_paint *paint, int32_t x, int32_t y,
                     int32_t n, pel_color *colors)
 {
@@ -131,6 +162,7 @@ static inline const struct pel_paint *make_user(void)
 #define EVERY_MAKE(EACH)                                                     \
     EACH(flat), EACH(flat_alpha), EACH(gouraud), EACH(linear), EACH(radial), \
         EACH(conic), EACH(hue), EACH(fan), EACH(nearest),                    \
-        EACH(nearest_colors), EACH(bilinear), EACH(dither), EACH(user)
+        EACH(nearest_colors), EACH(bilinear), EACH(dither), EACH(blend),     \
+        EACH(checker), EACH(hatch), EACH(nine_slice), EACH(user)
 
 #endif

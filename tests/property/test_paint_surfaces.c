@@ -1,14 +1,14 @@
-/* Textures and fans, on shapes, in every format: each pixel is
- * what the paint says of that pixel alone, stored or blended by the rule. So
- * bands, tiles and clips change no byte. And the same bytes on every CPU.
- * Gradients: test_paint_gradients.c. */
+/* Textures, fans, patterns and nine-slice pictures, on shapes, in every format:
+ * each pixel is what the paint says of that pixel alone, stored or blended by
+ * the rule. So bands, tiles and clips change no byte. And the same bytes on
+ * every CPU. Gradients: test_paint_gradients.c. */
 #include "tests/support/any_paint.h"
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
 #include "tests/support/hits.h"
 #include "tests/support/shapes.h"
 
-enum { KINDS = 3, COLORS = 200, TEXELS = 16 * 11 };
+enum { KINDS = 6, COLORS = 200, TEXELS = 16 * 11 };
 
 static pel_color ramp_colors[COLORS], texels[TEXELS];
 static struct pel_fan_triangle triangles[5];
@@ -69,13 +69,57 @@ static struct pel_color_paint *make_fan(struct random *r,
     return &paint.fan.base;
 }
 
+static struct pel_color_paint *make_checker(struct random *r)
+{
+    const struct pel_checker_fields fields = {
+        random_between(r, 1, 9), random_between(r, 1, 9),
+        random_between(r, -9, 9), random_between(r, -9, 9)};
+    pel_checker_init(&paint.checker, &fields, ramp_colors[0], ramp_colors[1]);
+    return &paint.checker.base;
+}
+
+static struct pel_color_paint *make_hatch(struct random *r)
+{
+    const struct pel_hatch_lines lines = {
+        random_between(r, -3, 3), random_between(r, -3, 3),
+        random_between(r, -9, 9), 9, random_between(r, 0, 9)};
+    pel_hatch_init(&paint.hatch, &lines, ramp_colors[0], ramp_colors[1]);
+    return &paint.hatch.base;
+}
+
+static struct pel_color_paint *make_slices(struct random *r,
+                                           const struct pel_rect *b)
+{
+    static struct pel_surface picture;
+    static const struct pel_rect middle = {5, 3, 11, 8};
+    const struct pel_rect box = {b->x0 + 3, b->y0 + 2,
+                                 b->x0 + random_between(r, 8, 80),
+                                 b->y0 + random_between(r, 4, 18)};
+    picture = surface_of(&pel_argb8888, texels, sizeof texels, 16, 11);
+    pel_nine_slice_init(&paint.slices, &picture, &middle, &box);
+    paint.slices.tiled = random_word(r) % 2;
+    return &paint.slices.base;
+}
+
 static struct pel_color_paint *make(struct random *r, uint32_t kind,
                                     const struct pel_rect *b)
 {
     const bool opaque = random_word(r) % 2;
     noise(r, ramp_colors, COLORS, opaque);
     noise(r, texels, TEXELS, opaque);
-    return kind < 2 ? make_texture(r, kind == 0, b) : make_fan(r, b);
+    switch (kind) {
+    case 0:
+    case 1:
+        return make_texture(r, kind == 0, b);
+    case 2:
+        return make_fan(r, b);
+    case 3:
+        return make_checker(r);
+    case 4:
+        return make_hatch(r);
+    default:
+        return make_slices(r, b);
+    }
 }
 
 static void draw(const struct pel_surface *s, const struct pel_point v[3],
@@ -141,7 +185,8 @@ static uint32_t checksum_of(uint32_t kind)
 
 TEST(same_bytes_everywhere)
 {
-    static const uint32_t sums[KINDS] = {0xf2040aa4, 0x7de153e6, 0x4e4be96e};
+    static const uint32_t sums[KINDS] = {0xf2040aa4, 0x7de153e6, 0x4e4be96e,
+                                         0x204b9f74, 0x33036ebb, 0x545f1dc5};
     for (uint32_t kind = 0; kind < KINDS; kind++)
         if (checksum_of(kind) != sums[kind])
             fail_msg("kind %u: expected %08x, got %08x", kind, sums[kind],

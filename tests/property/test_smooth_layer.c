@@ -26,7 +26,9 @@ static const struct pel_paint *make_paint(struct random *r)
     const pel_color solid = random_word(r) % 2 ? PEL_RGB(0, 0, 0) : 0;
     for (int i = 0; i < 16; i++)
         colors[i] = random_word(r) | solid;
-    switch (random_word(r) % 6) {
+    const struct pel_checker_fields fields = {3, 2, 1, 0};
+    const struct pel_hatch_lines lines = {1, -1, 2, 5, 2};
+    switch (random_word(r) % 8) {
     case 0:
         pel_linear_init(&paint.linear, from, to, &ramp);
         break;
@@ -38,6 +40,12 @@ static const struct pel_paint *make_paint(struct random *r)
         break;
     case 3:
         pel_texture_init_bilinear(&paint.texture, &texels, &map);
+        break;
+    case 4:
+        pel_checker_init(&paint.checker, &fields, colors[0], colors[1]);
+        break;
+    case 5:
+        pel_hatch_init(&paint.hatch, &lines, colors[0], colors[1]);
         break;
     default:
         paint.flat = (struct pel_flat)PEL_FLAT(colors[0]);

@@ -57,6 +57,32 @@ differ "option cells 64\npaint radial 16 16 64 0 #000000 1 #ffffff\n$all" \
 same "option dither on\npaint linear 0 0 #000000 32 0 #ffffff\n$all" \
     "paint linear 0 0 #000000 32 0 #ffffff\n$all"
 
+pixel "paint checker 3 2 4 5 #ff0000 #0000ff\n$all" 3 2 ff0000
+pixel "paint checker 3 2 4 5 #ff0000 #0000ff\n$all" 2 2 0000ff
+pixel "paint checker 3 2 4 5 #ff0000 #0000ff\n$all" 2 1 ff0000
+pixel "paint hatch 1 1 2 7 3 #ff0000 #0000ff\n$all" 4 1 ff0000
+pixel "paint hatch 1 1 2 7 3 #ff0000 #0000ff\n$all" 4 4 0000ff
+under='paint flat #102030\nrect 0 0 32 32\npaint flat #8090f0'
+pixel "$under\noption blend xor\n$all" 5 5 90b0c0
+pixel "$under\noption blend xor\n$all\n$all" 5 5 102030
+pixel "$under\noption blend add\n$all" 5 5 90b0ff
+pixel "$under\noption blend multiply\n$all" 5 5 08122d
+pixel "$under\noption blend add\noption blend none\n$all" 5 5 8090f0
+same "$under\noption dither on\noption blend add\n$all" \
+    "$under\noption blend add\n$all"
+
+printf 'P6 3 3 255\n\1\1\1\2\2\2\3\3\3\4\4\4\5\5\5\6\6\6\7\7\7\10\10\10\11\11\11' \
+    >"$work/9.ppm"
+slices='paint slices 9.ppm 1 1 1 1 4 5 20 10'
+pixel "$slices\n$all" 4 5 010101
+pixel "$slices\n$all" 23 5 030303
+pixel "$slices\n$all" 22 6 050505
+pixel "$slices\n$all" 23 14 090909
+pixel "$slices\n$all" 24 14 000000
+same "option wrap repeat\n$slices\n$all" "$slices\n$all"
+differ "option wrap repeat\npaint slices 9.ppm 0 0 2 2 0 0 32 32\n$all" \
+    "paint slices 9.ppm 0 0 2 2 0 0 32 32\n$all"
+
 printf 'P6 2 2 255\n\377\0\0\0\377\0\0\0\377\377\377\377' >"$work/t.ppm"
 pixel "paint texture t.ppm 4 5\n$all" 5 5 00ff00
 pixel "paint texture t.ppm 4 5\n$all" 30 30 ffffff
@@ -90,6 +116,13 @@ echo 'paint texture bad.ppm 0 0' |
     refused_script 2 "$work/bad.ppm:2: ends before the height"
 echo 'option spread more' | refused_script 2 'option spread: more: expected pad|repeat|reflect'
 echo 'option cells 100' | refused_script 2 'option cells: 100: expected 2048|1024|512|256|128|64'
+echo 'paint hatch 256 0 0 5 5 #000000 #000000' | refused_script 2 \
+    'paint hatch: expected DX and DY in -255..255, and a width up to the period'
+echo 'paint hatch 1 0 0 5 6 #000000 #000000' | refused_script 2 'paint hatch: expected'
+echo "paint slices $work/9.ppm 1 1 1 1 32767 0 2 2" |
+    refused_script 2 'paint slices: expected a box up to 32767'
+echo 'option blend screen' |
+    refused_script 2 'option blend: screen: expected none|xor|add|multiply'
 echo 'option dither maybe' | refused_script 2 'option dither: maybe: expected off|on'
 echo 'paint flat' | refused_script 2 'paint flat: 0 values: expected 1'
 

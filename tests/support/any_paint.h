@@ -15,7 +15,11 @@ union any_paint {
     struct pel_hue_wheel wheel;
     struct pel_fan fan;
     struct pel_texture texture;
+    struct pel_checker checker;
+    struct pel_hatch hatch;
+    struct pel_nine_slice slices;
     struct pel_dither dither;
+    struct pel_blend blend;
 };
 
 #endif

@@ -265,6 +265,7 @@ static void check_twin(const struct pel_format *twin)
     const pel_color opaque[3] = {PEL_RGB(255, 0, 0), PEL_RGB(0, 255, 0),
                                  PEL_RGB(0, 0, 255)};
     struct pel_smooth smooth;
+    struct pel_blend blend;
     struct pel_surface s, other;
     s = surface_of(twin, pixels, sizeof pixels, 8, 8);
     other = surface_of(&pel_gray8, pixels, sizeof pixels, 8, 8);
@@ -273,6 +274,10 @@ static void check_twin(const struct pel_format *twin)
     expect_broken("twin, circle", 0);
     pel_copy_keyed(&other, &(struct pel_copy_part){&s, s.bounds, 0, 0}, 0);
     expect_broken("twin, copy", 0);
+    assert_int_equal(pel_blend_init(&blend, &full.paint, PEL_BLEND_XOR),
+                     PEL_OK);
+    pel_circle(&s, clipped[0], PEL_PX(4), &blend.paint);
+    expect_broken("twin, blend", 0);
     assert_false(pel_smooth_begin(&smooth, &s, &full.paint));
     expect_broken("twin, smooth", 0);
     for (int k = 0; k < 2; k++) {

@@ -6,7 +6,7 @@
 #include "tests/support/hits.h"
 
 /* The i-th way in which the init function of a paint fails. */
-enum { FAILURES = 11 };
+enum { FAILURES = 15 };
 
 static enum pel_status fail_init(int i, union any_paint *p)
 {
@@ -39,6 +39,14 @@ static enum pel_status fail_init(int i, union any_paint *p)
         return pel_dither_init(&p->dither, NULL);
     case 9:
         return pel_dither_init(&p->dither, &p->paint);
+    case 10:
+        return pel_blend_init(&p->blend, &p->paint, PEL_BLEND_XOR);
+    case 11:
+        return pel_checker_init(&p->checker, NULL, 0, 0);
+    case 12:
+        return pel_hatch_init(&p->hatch, NULL, 0, 0);
+    case 13:
+        return pel_nine_slice_init(&p->slices, NULL, NULL, NULL);
     default:
         assert_int_equal(pel_dither_init(&inner, &flat.paint), PEL_OK);
         return pel_dither_init(&p->dither, &inner.paint);
