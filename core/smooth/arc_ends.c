@@ -40,7 +40,7 @@ static void set_ray(struct pel_smooth_end *e, const struct pel_arc_shape *arc,
     const struct pel_smooth_place b = pel_smooth_place_at(d, arc->outer);
     span_between(arc->center.x, a.x, b.x, &e->ray.x0, &e->ray.x1);
     span_between(arc->center.y, a.y, b.y, &e->ray.y0, &e->ray.y1);
-    e->rows = (struct pel_span){e->ray.y0, e->ray.y1};
+    e->box = e->ray;
     e->slope = d.y ? d.x * 32768 / d.y : d.x * 32768;
     e->shift = d.y ? 15 : 0;
     e->right = d.x >= 0;
@@ -53,8 +53,10 @@ static void set_disc(struct pel_smooth_end *e, struct pel_point center,
     const int32_t r = radius * 256;
     span_between(center.x, -r, r, &e->disc.x0, &e->disc.x1);
     span_between(center.y, -r, r, &e->disc.y0, &e->disc.y1);
-    e->rows.x0 = pel_min(e->rows.x0, e->disc.y0);
-    e->rows.x1 = pel_max(e->rows.x1, e->disc.y1);
+    e->box.x0 = pel_min(e->box.x0, e->disc.x0);
+    e->box.y0 = pel_min(e->box.y0, e->disc.y0);
+    e->box.x1 = pel_max(e->box.x1, e->disc.x1);
+    e->box.y1 = pel_max(e->box.y1, e->disc.y1);
 }
 
 static void set_end(struct pel_smooth_end *e, const struct pel_arc_shape *arc,
@@ -166,10 +168,9 @@ static int32_t end_of_part(const struct pel_smooth_ends *ends,
     return end;
 }
 
-/* A part at a time. */
-static PEL_NOINLINE void paint_near(const struct pel_smooth_ends *ends,
-                                    const struct pel_smooth *smooth,
-                                    const struct pel_smooth_row *row)
+void pel_smooth_ends_paint(const struct pel_smooth_ends *ends,
+                           const struct pel_smooth *smooth,
+                           const struct pel_smooth_row *row)
 {
     const struct pel_rect *const all = &smooth->target->clip;
     struct pel_rect clip = *all;
@@ -183,20 +184,21 @@ static PEL_NOINLINE void paint_near(const struct pel_smooth_ends *ends,
     }
 }
 
-void pel_smooth_ends_paint(const struct pel_smooth_ends *ends,
-                           const struct pel_smooth *smooth,
-                           const struct pel_smooth_row *row)
+enum pel_smooth_share pel_smooth_ends_share(const struct pel_smooth_ends *ends,
+                                            const struct pel_rect *part)
 {
-    const struct pel_smooth_end *const e = ends->end;
-    const int32_t y = row->y, axis = pel_first_pixel(ends->center.x);
-    bool side[2] = {ends->top, ends->top}; /* left, right */
-    side[e[0].right] ^= y >= e[0].ray.y1;
-    side[e[1].right] ^= y >= e[1].ray.y1;
-    if ((y >= e[0].rows.x0 && y < e[0].rows.x1) ||
-        (y >= e[1].rows.x0 && y < e[1].rows.x1) ||
-        (side[0] != side[1] && row->x < axis &&
-         row->x + row->left + row->full + row->right > axis))
-        paint_near(ends, smooth, row);
-    else if (side[row->x >= axis])
-        pel_smooth_paint(smooth, row);
+    const int32_t axis = pel_first_pixel(ends->center.x);
+    const bool left = part->x0<axis, right = part->x1> axis;
+    bool side[2] = {ends->top, ends->top};
+    for (int i = 0; i < 2; i++) {
+        const struct pel_smooth_end *const e = &ends->end[i];
+        const bool touched = part->x0 < e->box.x1 && part->x1 > e->box.x0;
+        if (part->y0 < e->box.y1 && part->y1 > e->box.y0 &&
+            (touched || (e->right ? right : left)))
+            return PEL_SMOOTH_NEAR;
+        side[e->right] ^= part->y0 >= e->ray.y1;
+    }
+    if (left && right && side[0] != side[1])
+        return PEL_SMOOTH_NEAR;
+    return side[right] ? PEL_SMOOTH_ALL : PEL_SMOOTH_NONE;
 }

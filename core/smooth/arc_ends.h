@@ -17,7 +17,7 @@
 struct pel_smooth_end {
     struct pel_rect ray;  /* px: around the pixels that it touches */
     struct pel_rect disc; /* px: around a round end, or empty */
-    struct pel_span rows; /* of both */
+    struct pel_rect box;  /* of both */
     int32_t slope;        /* of the ray, to the next row, 2^-shift */
     uint8_t shift;        /* 15, or 0 along a row */
     bool right, up;
@@ -45,7 +45,18 @@ void pel_smooth_ends_set(struct pel_smooth_ends *ends,
 bool pel_smooth_end_columns(const struct pel_smooth_ends *ends, int i,
                             int32_t y, struct pel_span *columns);
 
-/* Paints what belongs to the arc of a part of one of the ring's rows. */
+/* How much of a part of the ring, in some rows and columns, is in the arc. */
+enum pel_smooth_share {
+    PEL_SMOOTH_NONE,
+    PEL_SMOOTH_ALL,
+    PEL_SMOOTH_NEAR /* some, or an end is near */
+};
+
+enum pel_smooth_share pel_smooth_ends_share(const struct pel_smooth_ends *ends,
+                                            const struct pel_rect *part);
+
+/* Paints what belongs to the arc, and is not near an end, of a part of one of
+ * the ring's rows. */
 void pel_smooth_ends_paint(const struct pel_smooth_ends *ends,
                            const struct pel_smooth *smooth,
                            const struct pel_smooth_row *row);

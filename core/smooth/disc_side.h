@@ -69,6 +69,13 @@ static inline struct pel_span pel_smooth_crossed(
     return span;
 }
 
+/* How many columns a side has, if one of them is from x0 on before x1. */
+static inline int32_t pel_smooth_seen(const struct pel_span *side, int32_t x0,
+                                      int32_t x1)
+{
+    return side->x0 < x1 && side->x1 > x0 ? side->x1 - side->x0 : 0;
+}
+
 /* 0..255 of a sum of areas, which is off by less than 64. */
 static inline uint8_t pel_smooth_coverage(uint32_t sum)
 {

@@ -49,7 +49,6 @@ bool pel_smooth_disc_strip(struct pel_smooth_disc *disc,
     s->far = s->near + 65536;
     s->at_near = above > 0 ? disc->next : disc->at;
     s->at_far = above > 0 ? disc->at : disc->next;
-    pel_smooth_strip_set(s);
     return true;
 }
 
@@ -118,31 +117,42 @@ void pel_smooth_disc_add(const struct pel_smooth_disc *disc,
     }
 }
 
-/* The left side; a mirrored copy of the right one, if it is. */
-static void put_left(const struct pel_smooth_rows *rows,
-                     const struct pel_smooth_strip *s, uint8_t *to, int32_t n)
+/* The bytes of the sides of a row; the left ones mirror the right ones, if
+ * columns do. */
+static PEL_ALWAYS_INLINE void put_sides(const struct pel_smooth_rows *rows,
+                                        struct pel_smooth_strip *s,
+                                        int32_t left, int32_t right,
+                                        uint8_t *to)
 {
-    if (!rows->twin_columns)
-        pel_smooth_whole_side(s, -rows->round.left, false, to + n - 1, -1);
+    pel_smooth_strip_set(s);
+    if (right > 0)
+        pel_smooth_whole_side(s, rows->round.right, false, to + left, 1);
+    if (left > 0 && !(rows->twin_columns && right > 0))
+        pel_smooth_whole_side(s, -rows->round.left, false, to + left - 1, -1);
     else
-        for (int32_t i = 0; i < n; i++)
-            to[i] = to[2 * n - 1 - i];
+        for (int32_t i = 0; i < left; i++)
+            to[i] = to[2 * left - 1 - i];
 }
 
 /* Adds a row with this strip to the batch, if there is room behind `to`: where
  * its bytes end. */
 static uint8_t *add_row(struct pel_smooth_rows *rows,
-                        const struct pel_smooth_strip *s, uint8_t *to)
+                        struct pel_smooth_strip *s, uint8_t *to)
 {
     struct pel_smooth_batch *const b = &rows->batch;
+    const struct pel_rect *const clip = &rows->smooth.target->clip;
     const struct pel_span r = pel_smooth_crossed(s, rows->round.right);
     const struct pel_span l = pel_smooth_crossed(s, -rows->round.left);
-    const int32_t left = l.x1 - l.x0, right = r.x1 - r.x0;
+    int32_t left = l.x1 - l.x0, right = r.x1 - r.x0;
+    if (!rows->inside) {
+        left = pel_smooth_seen(&l, -clip->x1, -clip->x0);
+        right = pel_smooth_seen(&r, clip->x0, clip->x1);
+    }
     if (r.x0 + l.x0 < 0 ||
         left + right > b->coverage + PEL_SMOOTH_BATCH_BYTES - to)
         return NULL;
-    pel_smooth_whole_side(s, rows->round.right, false, to + left, 1);
-    put_left(rows, s, to, left);
+    if (left + right > 0)
+        put_sides(rows, s, left, right, to);
     b->at.full[b->n] = (struct pel_span){-l.x0, r.x0};
     b->count[2 * b->n] = (uint8_t)left;
     b->count[2 * b->n + 1] = (uint8_t)right;
@@ -244,7 +254,7 @@ void pel_smooth_rows_paint(struct pel_smooth_rows *rows)
     struct pel_smooth_batch *const b = &rows->batch;
     const int32_t n = b->n;
     pel_smooth_paint_batch(&rows->smooth, b);
-    b->n -= n > 0 && 2 * (b->y + n - 1) == rows->image_y;
+    b->n -= pel_smooth_is_own_image(rows);
     if (!PEL_SMALL_CODE && rows->twins)
         pel_smooth_paint_upwards(&rows->smooth, b, rows->image_y - b->y);
     b->n = n;

@@ -41,7 +41,8 @@ bool pel_smooth_rows_begin(struct pel_smooth_rows *rows,
 void pel_smooth_disc_go(struct pel_smooth_disc *disc,
                         const struct pel_smooth_round *round, int32_t y);
 
-/* Sets the strip of row y, which is next, if the circle crosses the row from
+/* Sets the strip of row y, which is next, but for what pel_smooth_strip_set
+ * does, if the circle crosses the row from
  * its upper end to the lower one on either side; or false. */
 bool pel_smooth_disc_strip(struct pel_smooth_disc *disc,
                            const struct pel_smooth_round *round, int32_t y,
@@ -67,6 +68,13 @@ int32_t pel_smooth_rows_batch(struct pel_smooth_rows *rows, int32_t end);
 void pel_smooth_rows_pass(struct pel_smooth_rows *rows);
 void pel_smooth_rows_rest(struct pel_smooth_rows *rows,
                           struct pel_smooth_columns *columns);
+
+/* Is the last row of the batch its own image? */
+static inline bool pel_smooth_is_own_image(const struct pel_smooth_rows *rows)
+{
+    const struct pel_smooth_batch *const b = &rows->batch;
+    return b->n > 0 && 2 * (b->y + b->n - 1) == rows->image_y;
+}
 
 /* Paints the batch, and its image, if there is one. */
 void pel_smooth_rows_paint(struct pel_smooth_rows *rows);

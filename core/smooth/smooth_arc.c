@@ -12,30 +12,63 @@ struct body {
     struct pel_smooth_ends ends;
 };
 
-/* A row of the ring, and its image, if there is one. */
-static void paint_ring_row(const struct body *body, struct pel_smooth_row *row)
+/* What a batch touches, from row y on, or up to it. */
+static struct pel_rect part_of(const struct pel_smooth_batch *b, int32_t y,
+                               int32_t step)
 {
-    const struct pel_smooth_rows *const rows = &body->ring.rows;
-    pel_smooth_ends_paint(&body->ends, &rows->smooth, row);
-    if (!rows->twins || rows->image_y == 2 * row->y)
-        return;
-    row->y = rows->image_y - row->y;
-    pel_smooth_ends_paint(&body->ends, &rows->smooth, row);
+    struct pel_rect part = {INT32_MAX, y, INT32_MIN, y + b->n};
+    for (int32_t i = 0; i < b->n; i++) {
+        const struct pel_span *const full = &b->at.full[i];
+        part.x0 = pel_min(part.x0, full->x0 - b->count[2 * i]);
+        part.x1 = pel_max(part.x1, full->x1 + b->count[2 * i + 1]);
+    }
+    if (step < 0) {
+        part.y0 = y - b->n + 1;
+        part.y1 = y + 1;
+    }
+    return part;
 }
 
-static void paint_batch(const struct body *body)
+static PEL_NOINLINE void paint_near(const struct body *body, int32_t y,
+                                    int32_t step)
 {
     const struct pel_smooth_batch *const b = &body->ring.rows.batch;
     const uint8_t *coverage = b->coverage;
     for (int32_t i = 0; i < b->n; i++) {
         const struct pel_span *const full = &b->at.full[i];
         const uint8_t *const count = b->count + 2 * i;
-        struct pel_smooth_row row = {b->y + i, full->x0 - count[0],
-                                     count[0], full->x1 - full->x0,
-                                     count[1], coverage};
-        paint_ring_row(body, &row);
+        const struct pel_smooth_row row = {y + i * step, full->x0 - count[0],
+                                           count[0],     full->x1 - full->x0,
+                                           count[1],     coverage};
+        pel_smooth_ends_paint(&body->ends, &body->ring.rows.smooth, &row);
         coverage += count[0] + count[1];
     }
+}
+
+/* The batch from row y on, up or down. */
+static void paint_rows(struct body *body, int32_t y, int32_t step)
+{
+    struct pel_smooth_rows *const rows = &body->ring.rows;
+    const struct pel_rect part = part_of(&rows->batch, y, step);
+    const enum pel_smooth_share share =
+        pel_smooth_ends_share(&body->ends, &part);
+    if (share == PEL_SMOOTH_NEAR)
+        paint_near(body, y, step);
+    else if (share == PEL_SMOOTH_ALL && step > 0)
+        pel_smooth_paint_batch(&rows->smooth, &rows->batch);
+    else if (share == PEL_SMOOTH_ALL)
+        pel_smooth_paint_upwards(&rows->smooth, &rows->batch, y);
+}
+
+static void paint_batch(struct body *body)
+{
+    struct pel_smooth_rows *const rows = &body->ring.rows;
+    const int32_t y = rows->batch.y, n = rows->batch.n;
+    paint_rows(body, y, 1);
+    rows->batch.n -= pel_smooth_is_own_image(rows);
+    if (!PEL_SMALL_CODE && rows->twins)
+        paint_rows(body, rows->image_y - y, -1);
+    rows->batch.n = n;
 }
 
 /* The rows of less than half of a ring are those of a box around it. */
@@ -222,10 +255,10 @@ static PEL_NOINLINE void paint_tips(const struct pel_surface *surface,
     if (!pel_smooth_begin(&tips.smooth, surface, paint))
         return;
     find_tips(&tips, arc, round);
-    const struct pel_span *const a = &tips.ends.end[0].rows;
-    const struct pel_span *const b = &tips.ends.end[1].rows;
-    const int32_t end = pel_min(pel_max(a->x1, b->x1), surface->clip.y1);
-    int32_t y = pel_max(pel_min(a->x0, b->x0), surface->clip.y0);
+    const struct pel_rect *const a = &tips.ends.end[0].box;
+    const struct pel_rect *const b = &tips.ends.end[1].box;
+    const int32_t end = pel_min(pel_max(a->y1, b->y1), surface->clip.y1);
+    int32_t y = pel_max(pel_min(a->y0, b->y0), surface->clip.y0);
     for (; y < end; y++)
         paint_row(&tips, y);
 }

@@ -6,16 +6,26 @@
  */
 struct half {
     struct pel_smooth_strip disc, hole;
+    struct pel_span clip; /* columns that are to be seen */
     int32_t center;
     bool left;
 };
 
-static bool find_half(struct pel_smooth_ring_walk *ring, int32_t y, bool left,
-                      struct half *h)
+static void set_half(struct half *h, const struct pel_smooth_ring_walk *ring,
+                     bool left)
+{
+    const struct pel_rect *const clip = &ring->rows.smooth.target->clip;
+    const int32_t center = ring->rows.round.left;
+    h->left = left;
+    h->center = left ? -center : center;
+    h->clip = left ? (struct pel_span){-clip->x1, -clip->x0}
+                   : (struct pel_span){clip->x0, clip->x1};
+}
+
+static bool find_strips(struct pel_smooth_ring_walk *ring, int32_t y,
+                        struct half *h)
 {
     const struct pel_smooth_round *const round = &ring->rows.round;
-    h->left = left;
-    h->center = left ? -round->left : round->left;
     return pel_smooth_disc_strip(&ring->rows.disc, round, y, &h->disc) &&
            pel_smooth_disc_strip(&ring->hole, round, y, &h->hole);
 }
@@ -37,12 +47,14 @@ static int32_t room_of(const struct half *h)
 }
 
 /* The coverage of columns that may belong to both sides. */
-static void put_both(const struct half *h, const struct pel_span *columns,
+static void put_both(struct half *h, const struct pel_span *columns,
                      uint8_t *to)
 {
     uint16_t area[PEL_SMOOTH_PIXELS], hole[PEL_SMOOTH_PIXELS];
     const int32_t step = h->left ? -1 : 1;
     to += h->left ? columns->x1 - columns->x0 - 1 : 0;
+    pel_smooth_strip_set(&h->disc);
+    pel_smooth_strip_set(&h->hole);
     for (int32_t x = columns->x0, n; x < columns->x1; x += n) {
         n = pel_min(columns->x1 - x, PEL_SMOOTH_PIXELS);
         pel_smooth_strip_areas(&h->disc, h->center, x, n, area);
@@ -52,40 +64,48 @@ static void put_both(const struct half *h, const struct pel_span *columns,
     }
 }
 
-static void add_both(struct pel_smooth_batch *b, const struct half *h,
-                     uint8_t *to)
+static void add_both(struct pel_smooth_batch *b, struct half *h, uint8_t *to)
 {
     const struct pel_span hole = pel_smooth_crossed(&h->hole, h->center);
     const struct pel_span disc = pel_smooth_crossed(&h->disc, h->center);
     const struct pel_span both = {hole.x0, disc.x1};
     const int32_t end = h->left ? -both.x0 : both.x1;
-    put_both(h, &both, to);
-    b->count[2 * b->n] = (uint8_t)(both.x1 - both.x0);
+    const int32_t n = pel_smooth_seen(&both, h->clip.x0, h->clip.x1);
+    if (n > 0)
+        put_both(h, &both, to);
+    b->count[2 * b->n] = (uint8_t)n;
     b->count[2 * b->n + 1] = 0;
     b->at.full[b->n++] = (struct pel_span){end, end};
 }
 
-static void add_sides(struct pel_smooth_batch *b, const struct half *h,
-                      uint8_t *to)
+/* The bytes of a side, the first one in the half's direction at `to`. */
+static void put_side(const struct half *h, struct pel_smooth_strip *s,
+                     uint8_t *to)
+{
+    pel_smooth_strip_set(s);
+    pel_smooth_whole_side(s, h->center, s == &h->hole, to, h->left ? -1 : 1);
+}
+
+static void add_sides(struct pel_smooth_batch *b, struct half *h, uint8_t *to)
 {
     const struct pel_span hole = pel_smooth_crossed(&h->hole, h->center);
     const struct pel_span disc = pel_smooth_crossed(&h->disc, h->center);
-    const int32_t inner = hole.x1 - hole.x0, outer = disc.x1 - disc.x0;
-    const int32_t step = h->left ? -1 : 1;
+    const int32_t inner = pel_smooth_seen(&hole, h->clip.x0, h->clip.x1);
+    const int32_t outer = pel_smooth_seen(&disc, h->clip.x0, h->clip.x1);
     uint8_t *const count = b->count + 2 * b->n;
     b->at.full[b->n] = (struct pel_span){hole.x1, disc.x0};
     if (h->left)
         b->at.full[b->n] = (struct pel_span){-disc.x0, -hole.x1};
-    to += h->left ? inner + outer - 1 : 0;
-    pel_smooth_whole_side(&h->hole, h->center, true, to, step);
-    pel_smooth_whole_side(&h->disc, h->center, false, to + inner * step, step);
+    if (inner > 0)
+        put_side(h, &h->hole, h->left ? to + inner + outer - 1 : to);
+    if (outer > 0)
+        put_side(h, &h->disc, h->left ? to + outer - 1 : to + inner);
     count[h->left] = (uint8_t)inner;
     count[!h->left] = (uint8_t)outer;
     b->n++;
 }
 
-static void add_half(struct pel_smooth_batch *b, const struct half *h,
-                     uint8_t *to)
+static void add_half(struct pel_smooth_batch *b, struct half *h, uint8_t *to)
 {
     if (is_apart(h))
         add_sides(b, h, to);
@@ -103,10 +123,11 @@ static void add_halves(struct pel_smooth_ring_walk *ring, int32_t end,
     uint8_t *to = b->coverage;
     int32_t room = PEL_SMOOTH_BATCH_BYTES;
     struct half h;
+    set_half(&h, ring, left);
     b->y = rows->rows.x0;
     b->n = 0;
     while (b->n < PEL_SMOOTH_BATCH_ROWS && rows->rows.x0 < end &&
-           find_half(ring, rows->rows.x0, left, &h)) {
+           find_strips(ring, rows->rows.x0, &h)) {
         room -= room_of(&h);
         if (h.hole.at_far < 65536 || room < 0)
             break;
@@ -197,7 +218,16 @@ static bool has_hole(const struct pel_smooth_ring_walk *ring, int32_t *end)
     return y >= top && y < bottom;
 }
 
-/* A batch of whole strips, if the next row is one. */
+/* May the clip have columns of a half? */
+static bool is_seen(const struct pel_smooth_ring_walk *ring, bool left)
+{
+    const struct pel_rect *const clip = &ring->rows.smooth.target->clip;
+    const int32_t axis = pel_pixel_of(ring->rows.round.left);
+    return left ? clip->x0 <= axis : clip->x1 > axis;
+}
+
+/* A batch of whole strips, if the next row is one; of halves that the clip has.
+ */
 static bool add_rows(struct pel_smooth_ring_walk *ring)
 {
     struct pel_smooth_rows *const rows = &ring->rows;
@@ -207,8 +237,10 @@ static bool add_rows(struct pel_smooth_ring_walk *ring)
     ring->at[0] = rows->disc.at;
     ring->at[1] = ring->hole.at;
     ring->filled.x0 = rows->rows.x0;
-    add_halves(ring, end, false);
+    add_halves(ring, end, !is_seen(ring, false));
     ring->filled.x1 = rows->rows.x0;
+    if (!is_seen(ring, false) || !is_seen(ring, true))
+        ring->filled.x0 = ring->filled.x1;
     return rows->batch.n > 0;
 }
 
