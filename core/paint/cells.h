@@ -151,8 +151,9 @@ void pel_cells_color(struct pel_cells *c);
 enum { PEL_CELLS_PASSED = 2048 };
 
 /* How many cells from the one at c->place on are the same pixel value as that,
- * so far as they are looked at; 0: all that may come. Moves on to the next. */
-int32_t pel_cells_pass(struct pel_cells *c);
+ * of at least `most` that are looked at; 0: all that may come. Moves on to the
+ * next. */
+int32_t pel_cells_pass(struct pel_cells *c, int32_t most);
 
 /* Goes on to the next cell and takes its color; false where none comes. */
 static PEL_ALWAYS_INLINE bool pel_cells_more(struct pel_cells *c)
@@ -208,7 +209,7 @@ static PEL_ALWAYS_INLINE void pel_cells_draw(
         const uint32_t value = c->value;
         void (*const draw)(const struct pel_spans *, uint32_t) = c->draw;
         if (PEL_CELL_ROWS > 1) {
-            const int32_t count = pel_cells_pass(c);
+            const int32_t count = pel_cells_pass(c, PEL_CELLS_PASSED);
             rest = count ? end(c, count) : pel_cells_end_all(c);
         } else {
             c->run[0].x0 = c->x;

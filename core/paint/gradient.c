@@ -163,7 +163,7 @@ static int32_t end_rows(struct pel_cells *c, int32_t step, int32_t row,
     }
 }
 
-int32_t pel_cells_pass(struct pel_cells *c)
+int32_t pel_cells_pass(struct pel_cells *c, int32_t most)
 {
     const uint32_t value = c->value;
     void (*const draw)(const struct pel_spans *, uint32_t) = c->draw;
@@ -173,7 +173,7 @@ int32_t pel_cells_pass(struct pel_cells *c)
             count += pass_mixed(c);
         if (count++ >= c->gradient->period || !pel_cells_more(c))
             return 0;
-    } while (c->value == value && c->draw == draw && count < PEL_CELLS_PASSED);
+    } while (c->value == value && c->draw == draw && count < most);
     return count;
 }
 

@@ -126,7 +126,7 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
 }
 
 /* A row of a vertical gradient has one color. Neighbouring rows of one pixel
- * value are drawn together. */
+ * value are drawn together: at most 8 cells a row are in sight. */
 static PEL_NOINLINE_32 void fill_level(const struct pel_linear *p,
                                        const struct pel_spans *spans)
 {
@@ -142,7 +142,7 @@ static PEL_NOINLINE_32 void fill_level(const struct pel_linear *p,
         }
         const uint32_t value = c.value;
         void (*const draw)(const struct pel_spans *, uint32_t) = c.draw;
-        int32_t count = narrow ? 0 : pel_cells_pass(&c);
+        int32_t count = narrow ? 0 : pel_cells_pass(&c, 8 * left);
         rows.n = narrow ? 1 : left;
         if (count > 0) {
             do
