@@ -17,6 +17,7 @@ struct choice {
     char path[200];
     const char *panel; /* what comes behind panel: */
     enum pel_fb_way way;
+    int32_t turns;
     const char *why;
 };
 
@@ -26,7 +27,8 @@ static int refuse(struct pel_display_linux *screen, const char *name,
     return pel_message_set(&screen->message, EINVAL,
                            "unknown device '%.200s', %s; use fb:/dev/fb0, "
                            "fb:/dev/fb0,direct (or shadow, pages), "
-                           "drm:/dev/dri/card0, or panel:st7789,...",
+                           "drm:/dev/dri/card0, either with ,rotate=90 (or "
+                           "180, 270), or panel:st7789,...",
                            name, choice->why);
 }
 
@@ -47,6 +49,25 @@ static bool parse_way(const char *text, enum pel_fb_way *way)
     return false;
 }
 
+/* WAY or rotate=ANGLE behind commas. */
+static bool parse_options(const char *text, struct choice *choice)
+{
+    char word[16];
+    for (size_t n; *text == ','; text += n) {
+        n = strcspn(++text, ",");
+        if (n >= sizeof(word))
+            return false;
+        memcpy(word, text, n);
+        word[n] = 0;
+        if (strncmp(word, "rotate=", 7) == 0
+                ? !pel_turned_parse(word + 7, &choice->turns)
+                : choice->kind != PEL_LINUX_FB ||
+                      !parse_way(word, &choice->way))
+            return false;
+    }
+    return true;
+}
+
 static int parse(struct pel_display_linux *screen, const char *name,
                  struct choice *choice)
 {
@@ -64,8 +85,7 @@ static int parse(struct pel_display_linux *screen, const char *name,
     size_t length = strcspn(path, ",");
     if (path[0] != '/' || length >= sizeof(choice->path))
         return refuse(screen, name, choice);
-    if (path[length] == ',' && (choice->kind != PEL_LINUX_FB ||
-                                !parse_way(path + length + 1, &choice->way)))
+    if (!parse_options(path + length, choice))
         return refuse(screen, name, choice);
     memcpy(choice->path, path, length);
     choice->path[length] = 0;
@@ -117,10 +137,11 @@ static void set_note(struct pel_display_linux *screen,
                      const struct choice *choice, const char *id,
                      const char *how)
 {
-    pel_message_set(&screen->note, 0, "%s (%.16s, %dx%d, %s, %s): %s",
+    pel_message_set(&screen->note, 0, "%s (%.16s, %dx%d, %s, %s%s): %s",
                     choice->path, id, (int)screen->display.width,
                     (int)screen->display.height,
-                    format_name(screen->display.format), how, choice->why);
+                    format_name(screen->display.format), how,
+                    choice->turns ? ", turned" : "", choice->why);
 }
 
 static void fb_leave(void *context)
@@ -149,7 +170,8 @@ static int open_fb(struct pel_display_linux *screen,
         return error;
     error = take_console(screen, fb->fd, &hooks);
     if (!error)
-        error = pel_display_fb_start(&screen->display, fb, choice->way);
+        error = pel_display_fb_start(&screen->display, fb, choice->way,
+                                     choice->turns);
     if (!error)
         set_note(screen, choice, fb->mode.fixed.id, ways[fb->way].note);
     return error;
@@ -206,7 +228,7 @@ static int open_drm(struct pel_display_linux *screen, struct choice *choice)
         return error;
     error = take_console(screen, -1, &hooks);
     if (!error)
-        error = pel_display_drm_start(&screen->display, drm);
+        error = pel_display_drm_start(&screen->display, drm, choice->turns);
     if (!error)
         set_note(screen, choice, "DRM", "two buffers, flipped");
     return error;

@@ -52,6 +52,7 @@ struct pel_display_linux {
 /* Opens `name`:
  *     fb:PATH[,direct|shadow|pages]    a framebuffer device
  *     drm:PATH                         a DRM device (built with PEL_WITH_DRM)
+ *     either with ,rotate=90|180|270   the picture, clockwise
  *     panel:CHIP,OPTION=VALUE,...      a panel at SPI or I2C pins
  *     PATH                             what of these the name tells
  *

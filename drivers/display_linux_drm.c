@@ -120,6 +120,11 @@ static enum pel_status finish_flip(struct pel_display_drm *drm)
     return PEL_OK;
 }
 
+static bool is_turned(const struct pel_display_drm *drm)
+{
+    return drm->frame.turns != 0;
+}
+
 static enum pel_status drm_wait(const struct pel_display *display)
 {
     return finish_flip(display->context);
@@ -131,17 +136,42 @@ static enum pel_status drm_begin(const struct pel_display *display,
 {
     struct pel_display_drm *drm = display->context;
     enum pel_status status = finish_flip(drm);
-    *surface = drm->buffer[drm->back].surface;
+    *surface =
+        is_turned(drm) ? drm->frame.upright : drm->buffer[drm->back].surface;
     pel_surface_clip(surface, area);
     return status;
 }
 
-/* The pixels are where the device reads them. */
+/* The pixels are where the device reads them, or are copied there by the flip.
+ */
 static enum pel_status drm_flush(const struct pel_display *display,
                                  const struct pel_surface *surface)
 {
-    (void)display, (void)surface;
+    struct pel_display_drm *drm = display->context;
+    pel_turned_change(&drm->frame, &surface->clip);
     return PEL_OK;
+}
+
+static struct pel_turned_memory memory_of(const struct pel_drm_buffer *b)
+{
+    const struct pel_surface *const s = &b->surface;
+    return (struct pel_turned_memory){.pixels = b->map,
+                                      .stride = s->stride,
+                                      .width = s->bounds.x1,
+                                      .height = s->bounds.y1,
+                                      .bits = s->format->bits};
+}
+
+/* The hidden buffer misses what has changed since it was shown. */
+static void copy_changes(struct pel_display_drm *drm)
+{
+    const struct pel_turned_memory memory = memory_of(&drm->buffer[drm->back]);
+    const struct pel_rect now = drm->frame.changed;
+    pel_turned_change(&drm->frame, &drm->last_change);
+    if (is_turned(drm))
+        pel_turned_copy(&drm->frame, &drm->frame.changed, &memory);
+    drm->last_change = now;
+    pel_turned_forget(&drm->frame);
 }
 
 static int show(struct pel_display_drm *drm, uint32_t id)
@@ -163,6 +193,7 @@ static enum pel_status drm_flip(const struct pel_display *display)
 {
     struct pel_display_drm *drm = display->context;
     const uint32_t id = drm->buffer[drm->back].id;
+    copy_changes(drm);
     if (drm->shown && !drm->no_flips) {
         drm->flipping = drmModePageFlip(drm->fd, drm->crtc, id,
                                         DRM_MODE_PAGE_FLIP_EVENT, drm) == 0;
@@ -208,10 +239,15 @@ static const drmModeModeInfo *preferred_mode(const drmModeConnector *c)
     return &c->modes[0];
 }
 
+/* `unknown`: outputs whose driver cannot tell whether a screen is there, such
+ * as panels and analogue ones without EDID; they have the modes that it
+ * guesses. */
 static int take(struct pel_display_drm *drm, const drmModeConnector *c,
-                const drmModeRes *all)
+                const drmModeRes *all, bool unknown)
 {
-    if (c->connection != DRM_MODE_CONNECTED || c->count_modes < 1)
+    if (c->connection !=
+            (unknown ? DRM_MODE_UNKNOWNCONNECTION : DRM_MODE_CONNECTED) ||
+        c->count_modes < 1)
         return 0;
     drm->crtc = crtc_of(drm->fd, c, all);
     drm->connector = c->connector_id;
@@ -219,9 +255,9 @@ static int take(struct pel_display_drm *drm, const drmModeConnector *c,
     return drm->crtc != 0;
 }
 
-/* Sets connector, crtc and mode: the first connected output, its preferred mode
- * (the first one where none is), the CRTC that feeds it, or one that can. 0 or
- * an errno, with the message. */
+/* Sets connector, crtc and mode: the first connected output, or the first that
+ * may be, its preferred mode (the first one where none is), the CRTC that feeds
+ * it, or one that can. 0 or an errno, with the message. */
 static int find_output(struct pel_display_drm *drm, const char *path)
 {
     int found = 0;
@@ -230,9 +266,11 @@ static int find_output(struct pel_display_drm *drm, const char *path)
         return pel_message_set(drm->message, errno ? errno : EINVAL,
                                "%s is no DRM device with a display: %s", path,
                                strerror(errno ? errno : EINVAL));
-    for (int i = 0; !found && i < all->count_connectors; i++) {
-        drmModeConnector *c = drmModeGetConnector(drm->fd, all->connectors[i]);
-        found = c && take(drm, c, all);
+    for (int i = 0; !found && i < 2 * all->count_connectors; i++) {
+        const bool unknown = i >= all->count_connectors;
+        drmModeConnector *c = drmModeGetConnector(
+            drm->fd, all->connectors[i % all->count_connectors]);
+        found = c && take(drm, c, all, unknown);
         drmModeFreeConnector(c);
     }
     drmModeFreeResources(all);
@@ -260,7 +298,7 @@ int pel_display_drm_open(struct pel_display_drm *drm, const char *path,
 
 /* The device's preferred depth first; whatever it shows then. */
 int pel_display_drm_start(struct pel_display *display,
-                          struct pel_display_drm *drm)
+                          struct pel_display_drm *drm, int32_t turns)
 {
     uint64_t depth = 0;
     drmGetCap(drm->fd, DRM_CAP_DUMB_PREFERRED_DEPTH, &depth);
@@ -272,11 +310,17 @@ int pel_display_drm_start(struct pel_display *display,
         drm->format = depth == 16 ? &pel_xrgb8888 : &pel_rgb565_le;
         error = buffers_make(drm);
     }
+    const struct pel_turned_memory memory = memory_of(&drm->buffer[0]);
+    if (!error && turns) {
+        errno = pel_turned_make(&drm->frame, drm->format, &memory, turns);
+        error = errno ? failed(drm, "no memory for a frame") : 0;
+    }
+    const int32_t width = drm->mode.hdisplay, height = drm->mode.vdisplay;
     *display = (struct pel_display){.context = drm,
-                                    .width = drm->mode.hdisplay,
-                                    .height = drm->mode.vdisplay,
+                                    .width = turns & 1 ? height : width,
+                                    .height = turns & 1 ? width : height,
                                     .format = drm->format,
-                                    .pages = 2,
+                                    .pages = turns ? 1 : 2,
                                     .flush = drm_flush,
                                     .begin = drm_begin,
                                     .wait = drm_wait,
@@ -314,6 +358,7 @@ void pel_display_drm_close(struct pel_display_drm *drm)
         drmModeFreeCrtc(before);
     drm->before = NULL;
     buffers_free(drm);
+    pel_turned_free(&drm->frame);
     close(drm->fd);
     drm->fd = -1;
 }

@@ -5,7 +5,9 @@
  * former picture comes back on close; after SIGKILL the kernel brings back its
  * console.
  *
- * begin gives the hidden buffer, so all of its surfaces are two flips old. */
+ * begin gives the hidden buffer, so all of its surfaces are two flips old.
+ * Where the picture is turned it gives the one frame that is drawn upright, and
+ * flip copies what was flushed for this flip and for the one before. */
 #ifndef PEL_DRIVERS_DISPLAY_LINUX_DRM_H
 #define PEL_DRIVERS_DISPLAY_LINUX_DRM_H
 
@@ -13,6 +15,7 @@
 #include <xf86drmMode.h>
 
 #include "display.h"
+#include "display_linux_turned.h"
 #include "linux_message.h"
 
 PEL_BEGIN_DECLS
@@ -32,9 +35,11 @@ struct pel_display_drm {
     const struct pel_format *format;
     struct pel_drm_buffer buffer[2];
     int32_t back;
-    bool shown;    /* the output shows a buffer of ours */
-    bool no_flips; /* the device has no page flips */
-    bool flipping; /* a flip was requested and has not happened */
+    struct pel_turned frame;     /* upright; only where it is turned */
+    struct pel_rect last_change; /* of it, for the flip before */
+    bool shown;                  /* the output shows a buffer of ours */
+    bool no_flips;               /* the device has no page flips */
+    bool flipping;               /* a flip was requested and has not happened */
     struct pel_message *message;
 };
 
@@ -43,9 +48,10 @@ struct pel_display_drm {
 int pel_display_drm_open(struct pel_display_drm *drm, const char *path,
                          struct pel_message *message);
 
-/* Makes the buffers and fills `display`. An errno, or 0. */
+/* Makes the buffers and fills `display`, whose picture is turned so many
+ * quarters clockwise, 0..3. An errno, or 0. */
 int pel_display_drm_start(struct pel_display *display,
-                          struct pel_display_drm *drm);
+                          struct pel_display_drm *drm, int32_t turns);
 
 /* Another terminal is shown: others may set modes. And back again. For struct
  * pel_console_hooks, with a struct pel_display_drm. */

@@ -3,7 +3,6 @@
 #endif
 #include "display_linux_fb.h"
 
-#include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
 #include <unistd.h>
@@ -34,6 +33,13 @@ static struct pel_rect screen_of(const struct pel_display_fb *fb)
     struct pel_rect screen = {0, 0, (int32_t)fb->mode.variable.xres,
                               (int32_t)fb->mode.variable.yres};
     return screen;
+}
+
+/* Of a pixel in memory: fewer than 8, or those of the format. */
+static uint32_t pixel_bits(const struct pel_display_fb *fb)
+{
+    const uint32_t bits = fb->mode.variable.bits_per_pixel;
+    return bits < 8 ? bits : fb->format->bits;
 }
 
 static int set_color_map(struct pel_display_fb *fb)
@@ -112,9 +118,18 @@ static bool pans(struct pel_display_fb *fb)
     return pan(fb, before) == 0 && moved;
 }
 
-static void choose_way(struct pel_display_fb *fb, enum pel_fb_way way)
+/* Must all be copied from a shadow? */
+static bool is_copied(const struct pel_display_fb *fb, int32_t turns)
 {
-    fb->way = way;
+    return turns != 0 || fb->mode.variable.bits_per_pixel < 8;
+}
+
+static void choose_way(struct pel_display_fb *fb, enum pel_fb_way way,
+                       int32_t turns)
+{
+    const bool any = way == PEL_FB_ANY || way == PEL_FB_STILL;
+    fb->way = any && is_copied(fb, turns) ? PEL_FB_SHADOW : way;
+    way = fb->way;
     if (way == PEL_FB_SHADOW || way == PEL_FB_DIRECT)
         return;
     ask_for_pages(fb);
@@ -138,10 +153,22 @@ static int map_memory(struct pel_display_fb *fb)
     const struct fb_var_screeninfo *v = &fb->mode.variable;
     const struct pel_rect screen = screen_of(fb);
     const int32_t line = (int32_t)fb->mode.fixed.line_length;
+    const uint32_t bits = pixel_bits(fb);
     for (uint32_t i = 0; i < 2; i++) {
         uint32_t top = fb->way == PEL_FB_PAGES ? i * v->yres : v->yoffset;
         uint8_t *first = fb->map + skip + (size_t)top * (size_t)line +
-                         (size_t)v->xoffset * fb->format->bits / 8;
+                         (size_t)v->xoffset * bits / 8;
+        if (fb->way == PEL_FB_SHADOW) {
+            fb->memory = (struct pel_turned_memory){
+                .pixels = first,
+                .stride = line,
+                .width = screen.x1,
+                .height = screen.y1,
+                .bits = (uint8_t)bits,
+                .low_first = PEL_LE16(1) == 1,
+                .inverted = fb->mode.fixed.visual == FB_VISUAL_MONO01};
+            return 0;
+        }
         if (pel_surface_init_rect(&fb->page[i], fb->format, first, line,
                                   &screen)) {
             errno = EINVAL;
@@ -151,18 +178,10 @@ static int map_memory(struct pel_display_fb *fb)
     return 0;
 }
 
-static int make_shadow(struct pel_display_fb *fb)
+static int make_shadow(struct pel_display_fb *fb, int32_t turns)
 {
-    const struct pel_rect screen = screen_of(fb);
-    const int32_t line = pel_stride(fb->format, screen.x1);
-    void *pixels = calloc((size_t)screen.y1, (size_t)line);
-    if (!pixels ||
-        pel_surface_init_rect(&fb->shadow, fb->format, pixels, line, &screen)) {
-        errno = ENOMEM;
-        free(pixels);
-        return failed(fb, "no memory for a frame");
-    }
-    return 0;
+    errno = pel_turned_make(&fb->shadow, fb->format, &fb->memory, turns);
+    return errno ? failed(fb, "no memory for a frame") : 0;
 }
 
 static enum pel_status fb_begin(const struct pel_display *display,
@@ -170,7 +189,8 @@ static enum pel_status fb_begin(const struct pel_display *display,
                                 struct pel_surface *surface)
 {
     struct pel_display_fb *fb = display->context;
-    *surface = fb->way == PEL_FB_SHADOW ? fb->shadow : fb->page[fb->back];
+    *surface =
+        fb->way == PEL_FB_SHADOW ? fb->shadow.upright : fb->page[fb->back];
     pel_surface_clip(surface, area);
     return PEL_OK;
 }
@@ -179,20 +199,8 @@ static enum pel_status fb_flush(const struct pel_display *display,
                                 const struct pel_surface *surface)
 {
     struct pel_display_fb *fb = display->context;
-    const struct pel_rect *clip = &surface->clip;
-    if (pel_rect_empty(clip))
-        return PEL_OK;
-    bool clean = fb->dirty0 >= fb->dirty1;
-    fb->dirty0 = clean ? clip->y0 : pel_min(fb->dirty0, clip->y0);
-    fb->dirty1 = clean ? clip->y1 : pel_max(fb->dirty1, clip->y1);
+    pel_turned_change(&fb->shadow, &surface->clip);
     return PEL_OK;
-}
-
-static void copy_dirty(struct pel_display_fb *fb)
-{
-    for (int32_t y = fb->dirty0; y < fb->dirty1; y++)
-        memcpy(pel_surface_line(&fb->page[0], y),
-               pel_surface_line(&fb->shadow, y), (size_t)fb->shadow.stride);
 }
 
 /* A device without the request gets it once. */
@@ -244,11 +252,11 @@ static enum pel_status fb_flip(const struct pel_display *display)
         return status;
     if (fb->way == PEL_FB_SHADOW) {
         wait_for_vsync(fb);
-        copy_dirty(fb);
+        pel_turned_copy(&fb->shadow, &fb->shadow.changed, &fb->memory);
     } else if (fb->way == PEL_FB_PAGES) {
         status = show_page(fb);
     }
-    fb->dirty0 = fb->dirty1 = 0;
+    pel_turned_forget(&fb->shadow);
     return status;
 }
 
@@ -279,12 +287,18 @@ int pel_display_fb_open(struct pel_display_fb *fb, const char *path,
 }
 
 int pel_display_fb_start(struct pel_display *display, struct pel_display_fb *fb,
-                         enum pel_fb_way way)
+                         enum pel_fb_way way, int32_t turns)
 {
     int error = read_format(fb);
     if (error)
         return error;
-    choose_way(fb, way);
+    choose_way(fb, way, turns);
+    if (fb->way != PEL_FB_SHADOW && is_copied(fb, turns))
+        return pel_message_set(
+            fb->message, EINVAL,
+            "%.16s: a picture that is turned, or of %u bits, "
+            "is drawn in a shadow; use no other way",
+            fb->mode.fixed.id, fb->mode.variable.bits_per_pixel);
     if (way == PEL_FB_PAGES && fb->way != PEL_FB_PAGES)
         return pel_message_set(fb->message, EINVAL,
                                "%.16s does not pan: no two pages; use "
@@ -295,10 +309,11 @@ int pel_display_fb_start(struct pel_display *display, struct pel_display_fb *fb,
         return failed(fb, "cannot set the colour map (FBIOPUTCMAP)");
     error = map_memory(fb);
     if (!error && fb->way == PEL_FB_SHADOW)
-        error = make_shadow(fb);
+        error = make_shadow(fb, turns);
+    const struct pel_rect screen = screen_of(fb);
     *display = (struct pel_display){.context = fb,
-                                    .width = (int32_t)fb->mode.variable.xres,
-                                    .height = (int32_t)fb->mode.variable.yres,
+                                    .width = turns & 1 ? screen.y1 : screen.x1,
+                                    .height = turns & 1 ? screen.x1 : screen.y1,
                                     .format = fb->format,
                                     .pages = fb->way == PEL_FB_PAGES ? 2 : 1,
                                     .flush = fb_flush,
@@ -314,16 +329,15 @@ void pel_display_fb_enter(void *display)
     v.activate = FB_ACTIVATE_NOW;
     pel_linux_ioctl(fb->fd, FBIOPUT_VSCREENINFO, &v);
     set_color_map(fb);
-    fb->dirty0 = 0;
-    fb->dirty1 = fb->way == PEL_FB_SHADOW ? fb->shadow.bounds.y1 : 0;
+    if (fb->way == PEL_FB_SHADOW)
+        fb->shadow.changed = fb->shadow.upright.bounds;
 }
 
 void pel_display_fb_close(struct pel_display_fb *fb)
 {
     if (fb->map)
         munmap(fb->map, fb->map_length);
-    free(fb->shadow.pixels);
-    fb->shadow.pixels = NULL;
+    pel_turned_free(&fb->shadow);
     fb->map = NULL;
     if (fb->fd >= 0)
         close(fb->fd);

@@ -54,6 +54,22 @@ static bool is_gray(const struct pel_fb_mode *mode)
     return v->grayscale == 1 && v->bits_per_pixel == 8;
 }
 
+/* 1 or 2 bits of grey, or of a palette, which gets greys; 0 for none of this.
+ */
+static uint32_t few_bits(const struct pel_fb_mode *mode)
+{
+    const struct fb_var_screeninfo *v = &mode->variable;
+    const uint32_t visual = mode->fixed.visual;
+    const bool known = visual == FB_VISUAL_MONO01 ||
+                       visual == FB_VISUAL_MONO10 ||
+                       visual == FB_VISUAL_PSEUDOCOLOR ||
+                       visual == FB_VISUAL_STATIC_PSEUDOCOLOR;
+    const bool whole = v->xoffset * v->bits_per_pixel % 8 == 0;
+    return known && whole && !v->red.msb_right && v->bits_per_pixel <= 2
+               ? v->bits_per_pixel
+               : 0;
+}
+
 static bool is_true_color(const struct pel_fb_mode *mode)
 {
     const struct fb_var_screeninfo *v = &mode->variable;
@@ -69,6 +85,8 @@ static const struct pel_format *find(const struct pel_fb_mode *mode)
     const uint32_t bits = pixel_bytes(mode) * 8;
     if (mode->fixed.type != FB_TYPE_PACKED_PIXELS)
         return NULL;
+    if (few_bits(mode))
+        return few_bits(mode) == 1 ? &pel_mono1 : &pel_gray8;
     if (is_gray(mode))
         return &pel_gray8;
     if (is_palette(mode))
@@ -102,9 +120,15 @@ uint32_t pel_fb_color_map(const struct pel_fb_mode *mode,
     if (!palette &&
         (mode->fixed.visual != FB_VISUAL_DIRECTCOLOR || is_gray(mode)))
         return 0;
-    const uint32_t n = palette ? PEL_FB_COLORS : 1u << v->green.length;
+    const uint32_t few = few_bits(mode);
+    const uint32_t n = few       ? 1u << few
+                       : palette ? PEL_FB_COLORS
+                                 : 1u << v->green.length;
     for (uint32_t i = 0; i < n; i++) {
-        pel_color c = palette ? format->unpack(i) : 0;
+        const uint32_t gray = few ? i * 255 / (n - 1) : 0;
+        pel_color c = few       ? PEL_RGB(gray, gray, gray)
+                      : palette ? format->unpack(i)
+                                : 0;
         map[0][i] =
             palette ? (uint16_t)(pel_red(c) * 257) : ramp(i, v->red.length);
         map[1][i] =
@@ -134,8 +158,9 @@ const struct pel_format *pel_fb_format(const struct pel_fb_mode *mode,
     const struct fb_var_screeninfo *v = &mode->variable;
     const struct fb_fix_screeninfo *f = &mode->fixed;
     const struct pel_format *format = find(mode);
-    if (format && fits(mode, format->bits) &&
-        f->line_length % format->word == 0)
+    const uint32_t few = few_bits(mode);
+    if (format && fits(mode, few ? few : format->bits) &&
+        (few || f->line_length % format->word == 0))
         return format;
     pel_message_set(
         message, 0,

@@ -10,7 +10,8 @@
 const struct option_row device_option_table[] = {
     {"device", "NAME",
      "show the picture until a key is pressed: fb:/dev/fb0 (with ,direct "
-     ",shadow or ,pages after it), drm:/dev/dri/card0, "
+     ",shadow or ,pages after it), drm:/dev/dri/card0, either with ,rotate=90 "
+     "(180, 270), "
      "panel:st7789,spi=/dev/spidev0.0,dc=GPIO25,reset=GPIO27 and so on "
      "(docs/linux.md), or auto: what FRAMEBUFFER names, else /dev/fb0, else "
      "DRM",

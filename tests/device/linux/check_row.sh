@@ -68,7 +68,7 @@ draw() { # SCENE FORMAT SIZE
 
 # The host's picture of a scene, and where Pel has no part in it, the
 # reference's.
-compare() { # NAME SCENE FORMAT WIDTH HEIGHT DAC_BITS
+compare() { # NAME SCENE FORMAT WIDTH HEIGHT DAC_BITS [ANGLE]
     source=$share/scenes/$2.pel
     [ -f "$source" ] || source=$share/$2.pel
     [ -f "$source" ] || source=$share/reference.pel
@@ -78,13 +78,14 @@ compare() { # NAME SCENE FORMAT WIDTH HEIGHT DAC_BITS
     esac
     expected=$share/$1.expected
     [ -s "$expected" ] || draw "$2" "$3" "$4x$5" || return
-    "$build/screen_check" "$expected" "$share/$1.ppm" "$6" || return
+    "$build/screen_check" "$expected" "$share/$1.ppm" "$6" "${7-0}" ||
+        return
     case $2 in reference*)
         # shellcheck disable=SC2046
         "$build/reference" "$width" "$height" $(bits_of "$3") \
             > "$share/reference.ppm"
-        "$build/screen_check" "$share/reference.ppm" "$share/$1.ppm" "$6" ||
-            return
+        "$build/screen_check" "$share/reference.ppm" "$share/$1.ppm" "$6" \
+            "${7-0}" || return
         ;;
     esac
 }
@@ -176,9 +177,9 @@ grep -E '^FAIL|^vm:|Oops|panic' "$share/log" | sed '/^FAIL/!s/^/FAIL /' \
     >> "$result"
 equal=0
 pictures=0
-while read -r name scene format width height dac; do
+while read -r name scene format width height dac angle; do
     pictures=$((pictures + 1))
-    compare "$name" "$scene" "$format" "$width" "$height" "$dac" \
+    compare "$name" "$scene" "$format" "$width" "$height" "$dac" "$angle" \
         > "$share/difference" 2>&1 && equal=$((equal + 1)) &&
         rm "$share/$name.ppm" ||
         echo "FAIL $name ($format): $(cat "$share/difference")" >> "$result"

@@ -8,6 +8,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/fb.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -48,9 +49,23 @@ static unsigned wide(unsigned pixel, const struct fb_bitfield *field)
     return high | high >> n | (n < 4 ? high >> 2 * n : 0);
 }
 
+static unsigned pixel_at(const uint8_t *line, unsigned x)
+{
+    const unsigned bytes = v.bits_per_pixel / 8;
+    unsigned pixel = 0;
+    if (bytes == 0) /* as the kernel draws on this CPU; all channels are one */
+        return (line[x / 8] >> x % 8 & 1) == (f.visual != FB_VISUAL_MONO01)
+                   ? 255
+                   : 0;
+    for (unsigned i = 0; i < bytes; i++)
+        pixel |= (unsigned)line[x * bytes + i] << 8 * i;
+    return pixel;
+}
+
 static int read_picture(int fd, const char *path)
 {
-    unsigned bytes = v.bits_per_pixel / 8;
+    const struct fb_bitfield byte = {0, 8, 0};
+    const bool mono = v.bits_per_pixel == 1;
     uint8_t *line = malloc(f.line_length);
     uint8_t *map = mmap(NULL, f.smem_len, PROT_READ, MAP_SHARED, fd, 0);
     FILE *file = fopen(path, "wb");
@@ -61,12 +76,10 @@ static int read_picture(int fd, const char *path)
         memcpy(line, map + (size_t)(v.yoffset + y) * f.line_length,
                f.line_length);
         for (unsigned x = v.xoffset; x < v.xoffset + v.xres; x++) {
-            unsigned pixel = 0;
-            for (unsigned i = 0; i < bytes; i++)
-                pixel |= (unsigned)line[x * bytes + i] << 8 * i;
-            fputc((int)wide(pixel, &v.red), file);
-            fputc((int)wide(pixel, &v.green), file);
-            fputc((int)wide(pixel, &v.blue), file);
+            const unsigned pixel = pixel_at(line, x);
+            fputc((int)wide(pixel, mono ? &byte : &v.red), file);
+            fputc((int)wide(pixel, mono ? &byte : &v.green), file);
+            fputc((int)wide(pixel, mono ? &byte : &v.blue), file);
         }
     }
     free(line);

@@ -3,6 +3,7 @@
 
 pel=/mnt/pel
 failures=0
+angle=0 # of pictures
 
 fail() { # TEXT
     echo "FAIL $row: $*"
@@ -68,7 +69,7 @@ picture() { # NAME FORMAT DAC_BITS COMMAND...
     start "$@"
     if wait_drawn; then
         grep -q ", $format," $log || fail "$name: not $format: $(cat $log)"
-        told="$name $scene $format $width $height $dac"
+        told="$name $scene $format $width $height $dac $angle"
         echo "$told" >> /mnt/manifest
         dump_expected "$name" picture "$told"
     else
@@ -89,6 +90,23 @@ pictures() { # NAME FORMAT DAC_BITS DEVICE
         picture "$1-$scene" "$2" "$3" $pel run /tmp/scene.pel --device "$4" \
             --jobs 2
     done
+}
+
+# The same, turned to every side, drawn by one thread and by two.
+turned_pictures() { # NAME FORMAT DAC_BITS DEVICE
+    across=$(mode_field 1) down=$(mode_field 2)
+    for angle in 90 180 270; do
+        width=$across height=$down
+        [ $angle = 180 ] || { width=$down height=$across; }
+        for file in $scenes; do
+            scene=$(basename "$file" .pel)
+            sed "s/^canvas .*/canvas $width $height $2/" "$file" \
+                > /tmp/scene.pel
+            picture "$1-$angle-$scene" "$2" "$3" $pel run /tmp/scene.pel \
+                --device "$4,rotate=$angle" --jobs $((angle / 90 % 2 + 1))
+        done
+    done
+    angle=0
 }
 
 # "mode NAME 640x480 virtual 800x600 ...": the two numbers before `virtual`.

@@ -13,6 +13,7 @@ row_cirrusfb() {
     mode 16-shadow rgb565_le 8 fb:/dev/fb0,shadow 16 640 480
     mode 24-direct rgb888 8 fb:/dev/fb0,direct 24 640 480
     mode 8-shadow rgb332 6 fb:/dev/fb0,shadow 8 640 480
+    turned_pictures 8-turned rgb332 6 fb:/dev/fb0,shadow
     mode 16-800 rgb565_le 8 fb:/dev/fb0 16 800 600
     if /mnt/fb_mode 32 2> /dev/null; then
         fail "32 bits: cirrusfb was expected to refuse them"
@@ -24,10 +25,14 @@ row_cirrus_16() {
     mode 16 rgb565_le 8 fb:/dev/fb0
     scenes=/mnt/reference.pel
     pictures drm rgb565_le 8 drm:/dev/dri/card0
+    turned_pictures turned rgb565_le 8 fb:/dev/fb0
+    turned_pictures drm-turned rgb565_le 8 drm:/dev/dri/card0
 }
 
 row_cirrus_24() {
     mode 24 rgb888 8 fb:/dev/fb0
+    scenes=/mnt/reference.pel
+    turned_pictures turned rgb888 8 fb:/dev/fb0
 }
 
 row_cirrus_32() {
@@ -63,6 +68,14 @@ row_bochs() {
     pictures drm xrgb8888 8 drm:/dev/dri/card0
     put_ignored
     own_sizes xrgb8888 fb:/dev/fb0
+    turned_pictures turned xrgb8888 8 fb:/dev/fb0
+    turned_pictures drm-turned xrgb8888 8 drm:/dev/dri/card0
+}
+
+# A screen that does not say what it is.
+row_bochs_no_edid() {
+    scenes=/mnt/reference.pel
+    pictures drm xrgb8888 8 drm:/dev/dri/card0
 }
 
 row_access() {
@@ -151,6 +164,9 @@ row_vfb() {
     scenes=/mnt/reference.pel
     mode 16-pages bgr565_le 8 fb:/dev/fb0,pages 16 640 480 640 960
     mode 16-padded bgr565_le 8 fb:/dev/fb0 16 640 480 700
+    scenes=/mnt/scenes/cover.pel
+    mode 1 mono1 8 fb:/dev/fb0 1 640 480
+    turned_pictures 1-turned mono1 8 fb:/dev/fb0
     refused
     alone
 }

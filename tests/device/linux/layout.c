@@ -27,6 +27,7 @@ enum channels {
     RGB332,
     INDEX8,
     INDEX4,
+    INDEX2,
     INDEX1
 };
 
@@ -37,7 +38,8 @@ static const unsigned channels[][6] = {
     [BGR888] = {0, 8, 8, 8, 16, 8},    [RGBX8888] = {24, 8, 16, 8, 8, 8},
     [BGRX8888] = {8, 8, 16, 8, 24, 8}, [RGB101010] = {20, 10, 10, 10, 0, 10},
     [RGB332] = {5, 3, 2, 3, 0, 2},     [INDEX8] = {0, 8, 0, 8, 0, 8},
-    [INDEX4] = {0, 4, 0, 4, 0, 4},     [INDEX1] = {0, 1, 0, 1, 0, 1},
+    [INDEX4] = {0, 4, 0, 4, 0, 4},     [INDEX2] = {0, 2, 0, 2, 0, 2},
+    [INDEX1] = {0, 1, 0, 1, 0, 1},
 };
 
 struct row {
@@ -79,7 +81,13 @@ static const struct row rows[] = {
     {"palette", &pel_rgb332, 8, 640, 640, 640, INDEX8, PALETTE, 0},
     {"palette of 16", NULL, 4, 320, 640, 640, INDEX4, PALETTE, 0},
     {"grey", &pel_gray8, 8, 640, 640, 640, INDEX8, STATIC_PALETTE, 1},
-    {"mono", NULL, 1, 80, 640, 640, INDEX1, MONO, 0},
+    {"mono", &pel_mono1, 1, 80, 640, 640, INDEX1, MONO, 0},
+    {"mono, lines too short", NULL, 1, 79, 640, 640, INDEX1, MONO, 0},
+    {"palette of 4", &pel_gray8, 2, 160, 640, 640, INDEX2, PALETTE, 0},
+    {"565, padded to 4", &pel_rgb565_le, 16, 1284, 641, 641, RGB565, TRUE_COLOR,
+     0},
+    {"888, padded to 4", &pel_rgb888, 24, 1924, 641, 641, RGB888, TRUE_COLOR,
+     0},
     {"a FOURCC format", NULL, 16, 1280, 640, 640, RGB565, TRUE_COLOR,
      0x56595559},
     {"lines too short", NULL, 32, 1900, 640, 640, RGB888, TRUE_COLOR, 0},

@@ -1,8 +1,9 @@
-/* screen_check EXPECTED.ppm SCREEN.ppm [DAC_BITS]: is the screen the expected
- * picture, byte for byte? A smaller or larger picture is expected in the middle
- * of a black screen. DAC_BITS 6: the screen's converter has 6 bits and its last
- * one is repeated, as VGA palettes do; 5: the screen widens 5 bits with zeros,
- * 565: those of rgb565. Status 0 equal, 1 different, 2 error. */
+/* screen_check EXPECTED.ppm SCREEN.ppm [DAC_BITS [ANGLE]]: is the screen the
+ * expected picture, byte for byte? A smaller or larger picture is expected in
+ * the middle of a black screen. DAC_BITS 6: the screen's converter has 6 bits
+ * and its last one is repeated, as VGA palettes do; 5: the screen widens 5 bits
+ * with zeros, 565: those of rgb565. ANGLE: the picture is turned, 90, 180 or
+ * 270 degrees clockwise. Status 0 equal, 1 different, 2 error. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -26,6 +27,27 @@ static int load(const char *path, struct picture *p)
     if (!p->rgb || fread(p->rgb, 1, size, file) != size)
         return -1;
     return fclose(file);
+}
+
+/* A quarter clockwise. */
+static int turn(struct picture *p)
+{
+    const int width = p->width, height = p->height;
+    unsigned char *rgb = malloc((size_t)width * (size_t)height * 3);
+    unsigned char *to = rgb;
+    if (!rgb)
+        return -1;
+    for (int y = 0; y < width; y++)
+        for (int x = 0; x < height; x++) {
+            const unsigned char *from =
+                p->rgb +
+                ((size_t)(height - 1 - x) * (size_t)width + (size_t)y) * 3;
+            for (int c = 0; c < 3; c++)
+                *to++ = *from++;
+        }
+    free(p->rgb);
+    *p = (struct picture){height, width, rgb};
+    return 0;
 }
 
 static int converted(int c, int dac_bits, int channel)
@@ -78,5 +100,8 @@ int main(int argc, char **argv)
                argc > 1 ? argv[1] : "EXPECTED", argc > 2 ? argv[2] : "SCREEN");
         return 2;
     }
+    for (int angle = argc > 4 ? atoi(argv[4]) : 0; angle > 0; angle -= 90)
+        if (turn(&expected))
+            return 2;
     return compare(&expected, &screen, argc > 3 ? atoi(argv[3]) : 8);
 }
