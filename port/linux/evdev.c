@@ -47,35 +47,82 @@ static void push_key(const struct pel_evdev *evdev, int code, int state,
     pel_input_push(queue, &e);
 }
 
-/* A coordinate of finger i in pixels, as libevdev has it now: axis `many` where
- * fingers have slots, otherwise `one`. */
-static int16_t pixel_now(const struct pel_evdev *evdev, int i, unsigned many,
-                         unsigned one, int size)
+static int16_t within(int64_t px, int size)
 {
-    const struct libevdev *d = evdev->device;
-    const unsigned axis = evdev->slots ? many : one;
-    const struct input_absinfo *info = libevdev_get_abs_info(d, axis);
-    if (!info)
-        return 0;
-    const int value = evdev->slots
-                          ? libevdev_get_slot_value(d, (unsigned)i, axis)
-                          : libevdev_get_event_value(d, EV_ABS, axis);
-    const int64_t range = (int64_t)info->maximum - info->minimum;
-    const int64_t at = (int64_t)value - info->minimum;
-    const int64_t px = range > 0 ? at * size / (range + 1) : 0;
     return (int16_t)(px < 0 ? 0 : px < size ? px : size - 1);
 }
 
+/* A value of an axis in pixels. */
+static int16_t pixel_of(const struct pel_evdev *evdev, unsigned axis, int value,
+                        int size)
+{
+    const struct input_absinfo *info =
+        libevdev_get_abs_info(evdev->device, axis);
+    if (!info)
+        return 0;
+    const int64_t range = (int64_t)info->maximum - info->minimum;
+    const int64_t at = (int64_t)value - info->minimum;
+    return within(range > 0 ? at * size / (range + 1) : 0, size);
+}
+
+/* The middle of its unit, 0..1. */
+static double part_of(const struct pel_evdev *evdev, unsigned axis, int value)
+{
+    const struct input_absinfo *info =
+        libevdev_get_abs_info(evdev->device, axis);
+    return info && info->maximum > info->minimum
+               ? ((double)value - info->minimum + .5) /
+                     ((double)info->maximum - info->minimum + 1)
+               : 0;
+}
+
+/* Within -1..most, rounded down. */
+static int64_t floored(double px, int most)
+{
+    return px < 0 ? -1 : px < most ? (int64_t)px : most;
+}
+
+/* Sets the place of a finger, or a pointer or a pen, from values of two axes.
+ */
+static void set_place(const struct pel_evdev *evdev,
+                      struct pel_evdev_finger *finger, const unsigned axis[2],
+                      const int value[2])
+{
+    const int width = evdev->width, height = evdev->height;
+    finger->x = pixel_of(evdev, axis[0], value[0], width);
+    finger->y = pixel_of(evdev, axis[1], value[1], height);
+    if (!evdev->matrix || evdev->places != FINGERS)
+        return;
+    const struct pel_touch_place told = {part_of(evdev, axis[0], value[0]),
+                                         part_of(evdev, axis[1], value[1])};
+    const struct pel_touch_place p =
+        pel_touch_matrix_place(evdev->matrix, told);
+    finger->x = within(floored(p.x * width, width), width);
+    finger->y = within(floored(p.y * height, height), height);
+}
+
+static const unsigned many_axes[2] = {ABS_MT_POSITION_X, ABS_MT_POSITION_Y};
+
+/* As libevdev has it now; of a list, as told last. */
 static struct pel_evdev_finger finger_now(const struct pel_evdev *evdev, int i)
 {
+    static const unsigned one_axes[2] = {ABS_X, ABS_Y};
     const struct libevdev *d = evdev->device;
-    return (struct pel_evdev_finger){
-        pixel_now(evdev, i, ABS_MT_POSITION_X, ABS_X, evdev->width),
-        pixel_now(evdev, i, ABS_MT_POSITION_Y, ABS_Y, evdev->height),
+    struct pel_evdev_finger now = evdev->finger[i];
+    int value[2];
+    if (evdev->list.is)
+        return now;
+    for (int k = 0; k < 2; k++)
+        value[k] = evdev->slots
+                       ? libevdev_get_slot_value(d, (unsigned)i, many_axes[k])
+                       : libevdev_get_event_value(d, EV_ABS, one_axes[k]);
+    set_place(evdev, &now, evdev->slots ? many_axes : one_axes, value);
+    now.down =
         evdev->slots
             ? libevdev_get_slot_value(d, (unsigned)i, ABS_MT_TRACKING_ID) >= 0
             : evdev->places >= PEN &&
-                  libevdev_get_event_value(d, EV_KEY, BTN_TOUCH)};
+                  libevdev_get_event_value(d, EV_KEY, BTN_TOUCH);
+    return now;
 }
 
 static void push_place(struct pel_evdev *evdev, int i,
@@ -104,6 +151,48 @@ static void push_place(struct pel_evdev *evdev, int i,
     evdev->finger[i] = now;
 }
 
+/* SYN_MT_REPORT: what came before is a finger, or none. */
+static void end_finger(struct pel_evdev *evdev)
+{
+    struct pel_evdev_list *const l = &evdev->list;
+    const int value[2] = {l->x, l->y};
+    if (l->placed && l->n < PEL_EVDEV_FINGERS) {
+        l->finger[l->n].down = true;
+        set_place(evdev, &l->finger[l->n++], many_axes, value);
+    }
+    l->placed = false;
+    l->told = true;
+}
+
+static void push_list(struct pel_evdev *evdev, uint32_t time,
+                      struct pel_input_queue *queue)
+{
+    int at[PEL_EVDEV_FINGERS];
+    pel_evdev_match(evdev->finger, &evdev->list, at);
+    for (int i = 0; i < PEL_EVDEV_FINGERS; i++) {
+        const struct pel_evdev_finger *const told = &evdev->finger[i];
+        struct pel_evdev_finger now = *told;
+        now.down = false;
+        if (at[i] >= 0)
+            now = evdev->list.finger[at[i]];
+        if (now.down != told->down ||
+            (now.down && (now.x != told->x || now.y != told->y)))
+            push_place(evdev, i, now, time, queue);
+    }
+    evdev->list.n = 0;
+    evdev->list.told = false;
+}
+
+/* A report without a list says nothing of fingers, unless no touch is left. */
+static bool tells_list(const struct pel_evdev *evdev)
+{
+    const struct libevdev *const d = evdev->device;
+    return evdev->list.is &&
+           (evdev->list.told ||
+            (libevdev_has_event_code(d, EV_KEY, BTN_TOUCH) &&
+             !libevdev_get_event_value(d, EV_KEY, BTN_TOUCH)));
+}
+
 static void push_steps(struct pel_input_queue *queue, int kind, uint32_t time,
                        int16_t x, int16_t y)
 {
@@ -117,6 +206,8 @@ static void push_steps(struct pel_input_queue *queue, int kind, uint32_t time,
 static void push_report(struct pel_evdev *evdev, uint32_t time,
                         struct pel_input_queue *queue)
 {
+    if (tells_list(evdev))
+        push_list(evdev, time, queue);
     for (int i = 0; i < evdev->fingers; i++) {
         const struct pel_evdev_finger *told = &evdev->finger[i];
         const struct pel_evdev_finger now = finger_now(evdev, i);
@@ -141,7 +232,11 @@ static int16_t add(int sum, int value)
 static void handle(struct pel_evdev *evdev, const struct input_event *e,
                    struct pel_input_queue *queue)
 {
-    if (e->type == EV_REL && e->code < PEL_EVDEV_STEPS)
+    if (evdev->list.is && e->type == EV_ABS)
+        pel_evdev_list_take(&evdev->list, e->code, e->value);
+    else if (e->type == EV_SYN && e->code == SYN_MT_REPORT)
+        end_finger(evdev);
+    else if (e->type == EV_REL && e->code < PEL_EVDEV_STEPS)
         evdev->steps[e->code] = add(evdev->steps[e->code], e->value);
     else if (e->type == EV_SYN && e->code == SYN_REPORT)
         push_report(evdev, time_of(e), queue);
@@ -179,6 +274,8 @@ static int resync(struct pel_evdev *evdev, struct pel_input_queue *queue)
             libevdev_next_event(evdev->device, LIBEVDEV_READ_FLAG_SYNC, &e);
     while (status == LIBEVDEV_READ_STATUS_SYNC);
     memset(evdev->steps, 0, sizeof(evdev->steps));
+    evdev->list.n = 0;
+    evdev->list.placed = false;
     pel_input_push_now(queue, PEL_INPUT_LOST, 0, 0);
     return status == -EAGAIN ? 0 : status;
 }
@@ -211,9 +308,15 @@ void pel_evdev_read(struct pel_evdev *evdev, struct pel_input_queue *queue)
 
 /* As udev tells them apart: a touch pad has fingers that are not on a screen, a
  * pointer with a place has the buttons of a mouse. */
+static bool has_list(const struct libevdev *d)
+{
+    return libevdev_get_num_slots(d) <= 0 &&
+           libevdev_has_event_code(d, EV_ABS, ABS_MT_POSITION_X);
+}
+
 static int places_of(const struct libevdev *d)
 {
-    const bool many = libevdev_get_num_slots(d) > 0;
+    const bool many = libevdev_get_num_slots(d) > 0 || has_list(d);
     const bool direct = libevdev_has_property(d, INPUT_PROP_DIRECT);
     const bool touched =
         many || libevdev_has_event_code(d, EV_KEY, BTN_TOUCH) || direct;
@@ -248,6 +351,7 @@ int pel_evdev_open(struct pel_evdev *evdev, int number, bool keys,
     *evdev = (struct pel_evdev){.number = number,
                                 .width = evdev->width,
                                 .height = evdev->height,
+                                .matrix = evdev->matrix,
                                 .keys = keys,
                                 .losses = queue->losses};
     if (fd < 0)
@@ -263,7 +367,9 @@ int pel_evdev_open(struct pel_evdev *evdev, int number, bool keys,
     evdev->places = (uint8_t)places_of(evdev->device);
     if (evdev->places == FINGERS)
         evdev->slots = pel_max(libevdev_get_num_slots(evdev->device), 0);
+    evdev->list.is = evdev->places == FINGERS && has_list(evdev->device);
     evdev->fingers = evdev->places == NOTHING ? 0
+                     : evdev->list.is         ? PEL_EVDEV_FINGERS
                      : evdev->slots ? pel_min(evdev->slots, PEL_EVDEV_FINGERS)
                                     : 1;
     if (!tells_something(evdev)) {

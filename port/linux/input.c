@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <poll.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/epoll.h>
 #include <sys/inotify.h>
@@ -38,6 +39,7 @@ static void open_device(struct pel_input_linux *in, int number)
     }
     free->width = in->options.width;
     free->height = in->options.height;
+    free->matrix = in->has_matrix ? &in->matrix : NULL;
     int error;
     do
         error = pel_evdev_open(free, number, !in->options.no_keys, &in->queue,
@@ -183,6 +185,17 @@ static int prepare(struct pel_input_linux *in)
     return watch(in, in->timer);
 }
 
+static int parse_touch(struct pel_input_linux *in)
+{
+    const char *text = in->options.touch;
+    if (!text)
+        text = getenv("PEL_TOUCH");
+    in->has_matrix = text && text[0];
+    return in->has_matrix
+               ? pel_touch_matrix_parse(&in->matrix, text, &in->message)
+               : 0;
+}
+
 int pel_input_linux_open(struct pel_input_linux *in,
                          const struct pel_input_linux_options *options)
 {
@@ -193,6 +206,8 @@ int pel_input_linux_open(struct pel_input_linux *in,
     in->poll = in->notify = in->timer = -1;
     int error = prepare(in);
     inotify_add_watch(in->notify, "/dev", IN_CREATE | IN_ATTRIB | IN_DELETE);
+    if (!error)
+        error = parse_touch(in);
     if (!error && options->buttons)
         error = pel_buttons_parse(&in->buttons, options->buttons, &in->message);
     if (!error && options->buttons)

@@ -29,6 +29,8 @@ struct pel_input_linux_options {
     bool no_devices;     /* buttons alone */
     bool no_keys;        /* of keyboards: the program reads a terminal */
     int width, height;   /* px, where tablets and touch screens point to */
+    const char *touch;   /* see touch_matrix.h; NULL: what PEL_TOUCH in the
+                            environment says, or as the kernel tells */
 };
 
 struct pel_input_linux {
@@ -37,6 +39,8 @@ struct pel_input_linux {
     struct pel_evdev devices[PEL_INPUT_LINUX_DEVICES];
     struct pel_buttons buttons;
     struct pel_input_linux_options options;
+    struct pel_touch_matrix matrix; /* of options.touch */
+    bool has_matrix;
     int poll;   /* of epoll: readable when there is something to read */
     int notify; /* of inotify, on /dev and /dev/input */
     int timer;  /* for buttons that bounce */

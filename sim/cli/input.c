@@ -6,12 +6,15 @@
 #include "port/linux/input.h"
 #include "port/linux/key_names.h"
 #include "sim/cli/arguments.h"
+#include "sim/cli/calibrate.h"
 #include "sim/cli/commands.h"
 #include "sim/cli/message.h"
 #include "sim/cli/milliseconds.h"
 
 struct input_options {
     const char *buttons;
+    const char *touch, *calibrate;
+    struct device_options device;
     double size[2];
     double seconds; /* 0: for ever */
     bool no_devices;
@@ -27,6 +30,17 @@ static const struct option_row options[] = {
     {"size", "WxH", "where tablets and touch screens point to (1000x1000)",
      OPTION_NUMBERS, .offset = offsetof(struct input_options, size), .n = 2,
      .separator = 'x', .low = 1, .high = 32767, .expected = "320x240"},
+    {"touch", "HOW",
+     "touch screens that are out of place: swap, invert-x, invert-y, "
+     "rotate=90, "
+     "range=0.05:0.95:0:1, with commas between them, or a FILE of --calibrate "
+     "or libinput (/PATH); what PEL_TOUCH in the environment says",
+     OPTION_TEXT, .offset = offsetof(struct input_options, touch)},
+    {"calibrate", "FILE",
+     "show crosses to touch on the device, and write that file", OPTION_TEXT,
+     .offset = offsetof(struct input_options, calibrate)},
+    {"device", "NAME", "of --calibrate: fb:/dev/fb0, drm:/dev/dri/card0 (auto)",
+     OPTION_TEXT, .offset = offsetof(struct input_options, device.name)},
     {"seconds", "S", "end after that time", OPTION_NUMBERS,
      .offset = offsetof(struct input_options, seconds), .n = 1, .low = 0.001,
      .high = 1e6, .expected = "10"},
@@ -87,7 +101,7 @@ static void print_all(struct pel_input_linux *input, double seconds)
 int command_input(int argc, char **argv)
 {
     static struct pel_input_linux input;
-    struct input_options o = {.size = {1000, 1000}};
+    struct input_options o = {.size = {1000, 1000}, .device.name = "auto"};
     const struct command_line line = {
         .arguments = "",
         .about = "Prints what keyboards, mice, tablets, touch screens and "
@@ -96,8 +110,11 @@ int command_input(int argc, char **argv)
                  "Ctrl-C.",
         .tables = {{options, &o, NULL}}};
     arguments_parse(&line, argc, argv);
+    if (o.calibrate)
+        return calibrate(&o.device, o.calibrate) ? STATUS_OK : STATUS_ERROR;
     const struct pel_input_linux_options linux_options = {
         .buttons = o.buttons,
+        .touch = o.touch,
         .no_devices = o.no_devices,
         .width = (int)o.size[0],
         .height = (int)o.size[1]};

@@ -113,6 +113,7 @@ row_virtio() {
     view fb:/dev/fb0
     . /mnt/guest_input.sh
     view_by_hand fb:/dev/fb0
+    calibration drm:/dev/dri/card0
     kiosk fb:/dev/fb0
     kiosk drm:/dev/dri/card0
     pictures drm xrgb8888 8 drm:/dev/dri/card0

@@ -8,101 +8,14 @@
 #include <libevdev/libevdev.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/epoll.h>
 #include <sys/eventfd.h>
 #include <unistd.h>
 
 #include "port/linux/input.h"
-
-enum { MOST = 999, SYNC = 0xFFFF }; /* SYNC: the kernel's queue ran over */
-
-struct step {
-    int type, code, value;
-};
-
-/* A device /dev/input/event0, what it is like when it opens, and what comes. */
-struct device {
-    const char *name;
-    unsigned properties; /* bits */
-    int codes[8];        /* of EV_KEY, and of EV_ABS + ABS */
-    struct step held[6], comes[12];
-    const char *told;
-};
-enum { ABS = 0x1000, SLOT = 0x2000 }; /* SLOT + i: a value of slot i */
-#define TOUCHED                                                          \
-    ABS + ABS_MT_SLOT, ABS + ABS_MT_POSITION_X, ABS + ABS_MT_POSITION_Y, \
-        ABS + ABS_MT_TRACKING_ID
-#define REPORT                \
-    {                         \
-        EV_SYN, SYN_REPORT, 1 \
-    }
-#define PLACES ABS + ABS_X, ABS + ABS_Y
-#define CORNER             \
-    {EV_ABS, ABS_X, 500},  \
-    {                      \
-        EV_ABS, ABS_Y, 100 \
-    }
-
-static const struct device devices[] = {
-    {"a screen of fingers without ABS_X, one held",
-     1 << INPUT_PROP_DIRECT,
-     {TOUCHED},
-     {{SLOT + 0, ABS_MT_TRACKING_ID, -1},
-      {SLOT + 1, ABS_MT_TRACKING_ID, 4},
-      {SLOT + 1, ABS_MT_POSITION_X, 300},
-      {SLOT + 1, ABS_MT_POSITION_Y, 200},
-      {EV_ABS, ABS_MT_SLOT, 1}},
-     {{EV_ABS, ABS_MT_POSITION_X, 310}, REPORT},
-     "here T1(300,200)1 T1(310,200)2 "},
-    {"a screen of one finger, held, that loses reports",
-     1 << INPUT_PROP_DIRECT,
-     {BTN_TOUCH, PLACES},
-     {CORNER, {EV_KEY, BTN_TOUCH, 1}},
-     {{SYNC, 0, 0},
-      {EV_ABS, ABS_X, 510},
-      REPORT,
-      {EV_KEY, BTN_TOUCH, 0},
-      REPORT},
-     "here T0(500,100)1 lost T0(500,100)1 T0(510,100)2 T0(510,100)0 "},
-    {"a pointer with a place",
-     1 << INPUT_PROP_POINTER,
-     {BTN_LEFT, PLACES},
-     {{EV_KEY, BTN_LEFT, 1}},
-     {CORNER, REPORT, {EV_KEY, BTN_LEFT, 0}, REPORT},
-     "here B1,1 P(500,100) B1,0 "},
-    {"a pen on a tablet",
-     1 << INPUT_PROP_POINTER,
-     {BTN_TOOL_PEN, BTN_TOUCH, BTN_STYLUS, PLACES},
-     {{EV_KEY, BTN_TOOL_PEN, 1}},
-     {{EV_KEY, BTN_TOUCH, 1},
-      CORNER,
-      REPORT,
-      {EV_ABS, ABS_X, 510},
-      REPORT,
-      {EV_KEY, BTN_TOUCH, 0},
-      REPORT},
-     "here P(500,100) B1,1 P(510,100) P(510,100) B1,0 "},
-    {"a touch pad",
-     1 << INPUT_PROP_POINTER,
-     {BTN_LEFT, BTN_TOUCH, BTN_TOOL_FINGER, TOUCHED},
-     {{SLOT + 0, ABS_MT_TRACKING_ID, 4}, {EV_KEY, BTN_TOUCH, 1}},
-     {{EV_ABS, ABS_MT_POSITION_X, 9}, {EV_KEY, BTN_LEFT, 1}, REPORT},
-     "here B1,1 "},
-    {"an accelerometer",
-     1 << INPUT_PROP_ACCELEROMETER,
-     {PLACES},
-     {{0}},
-     {{0}},
-     ""},
-    {"a joystick",
-     0,
-     {BTN_TRIGGER, PLACES},
-     {{0}},
-     {CORNER, REPORT, {EV_KEY, BTN_TRIGGER, 1}, REPORT},
-     "here K16672,1 "},
-};
-enum { DEVICES = sizeof devices / sizeof *devices };
+#include "tests/device/linux/input_devices.h"
 
 static const struct device *device; /* NULL: there is none */
 static const struct step *next;
@@ -292,6 +205,39 @@ TEST(devices)
                      devices[i].told);
         pel_input_linux_close(&input);
     }
+}
+
+/* A finger is where the matrix says, inside of the screen. */
+TEST(places_by_a_matrix)
+{
+    static const struct {
+        const char *touch, *told;
+    } rows[] = {{"swap", "here T0(100,500)1 "},
+                {"invert-x", "here T0(499,100)1 "},
+                {"invert-y", "here T0(500,899)1 "},
+                {"rotate=90", "here T0(100,499)1 "},
+                {"rotate=180", "here T0(499,899)1 "},
+                {"rotate=270", "here T0(899,500)1 "},
+                {"rotate=90,rotate=270", "here T0(500,100)1 "},
+                {"range=0:1:0.2:0.9", "here T0(500,0)1 "},
+                {"range=0.25:0.85:0:1", "here T0(417,100)1 "},
+                {"range=0:0.4:0:1", "here T0(999,100)1 "}};
+    static const struct device screen = {
+        "",
+        1 << INPUT_PROP_DIRECT,
+        {BTN_TOUCH, PLACES},
+        {{0}},
+        {CORNER, {EV_KEY, BTN_TOUCH, 1}, REPORT},
+        ""};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        setenv("PEL_TOUCH", rows[i].touch, 1);
+        open_input(&screen, NULL, 0);
+        if (strcmp(hear(), rows[i].told) != 0)
+            fail_msg("%s: told %s, expected %s", rows[i].touch, told,
+                     rows[i].told);
+        pel_input_linux_close(&input);
+    }
+    unsetenv("PEL_TOUCH");
 }
 
 /* A report that was not complete is not the next device's. */

@@ -1,5 +1,9 @@
 /* touch_device: a touch screen of the kernel's uinput, on which two fingers do
- * what guest_input.sh expects; then it is taken away. */
+ * what guest_input.sh expects; then it is taken away.
+ *
+ * touch_device WIDTH HEIGHT X Y [X Y...]: one whose glass is swapped, inverted
+ * and smaller than what it tells, where a finger taps on the middle of these
+ * pixels. */
 #include <libevdev/libevdev-uinput.h>
 #include <libevdev/libevdev.h>
 #include <dirent.h>
@@ -96,12 +100,52 @@ static bool wait_reader(const char *path)
     return false;
 }
 
-int main(void)
+struct step {
+    unsigned type, code;
+    int value;
+};
+
+static void write_steps(struct libevdev_uinput *screen,
+                        const struct step *steps, size_t n)
 {
-    static const struct {
-        unsigned type, code;
-        int value;
-    } does[] = {
+    for (; n > 0; n--, steps++)
+        libevdev_uinput_write_event(screen, steps->type, steps->code,
+                                    steps->value);
+}
+
+/* From the right to the left goes y, of 7 to 93 % of the way. */
+static void tap(struct libevdev_uinput *screen, double u, double v)
+{
+    const struct step steps[] = {
+        {EV_ABS, ABS_MT_SLOT, 0},
+        {EV_ABS, ABS_MT_TRACKING_ID, 7},
+        {EV_ABS, ABS_MT_POSITION_X, (int)(MOST * (.93 - .86 * v))},
+        {EV_ABS, ABS_MT_POSITION_Y, (int)(MOST * (.05 + .9 * u))},
+        {EV_KEY, BTN_TOUCH, 1},
+        {EV_SYN, SYN_REPORT, 0},
+        {EV_ABS, ABS_MT_TRACKING_ID, -1},
+        {EV_KEY, BTN_TOUCH, 0},
+        {EV_SYN, SYN_REPORT, 0}};
+    write_steps(screen, steps, sizeof(steps) / sizeof(steps[0]));
+}
+
+static int tap_all(struct libevdev_uinput *screen, const char *path, int argc,
+                   char **argv)
+{
+    for (int i = 3; i + 1 < argc; i += 2)
+        tap(screen, (atoi(argv[i]) + .5) / atoi(argv[1]),
+            (atoi(argv[i + 1]) + .5) / atoi(argv[2]));
+    if (argc < 7 && !wait_reader(path))
+        return 2;
+    const struct timespec pause = {.tv_sec = 1};
+    nanosleep(&pause, NULL);
+    libevdev_uinput_destroy(screen);
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    static const struct step does[] = {
         {EV_ABS, ABS_MT_SLOT, 0},
         {EV_ABS, ABS_MT_TRACKING_ID, 7},
         {EV_ABS, ABS_MT_POSITION_X, 1000},
@@ -123,9 +167,9 @@ int main(void)
     const char *path = screen ? libevdev_uinput_get_devnode(screen) : NULL;
     if (!path || !wait_reader(path))
         return 2;
-    for (size_t i = 0; i < sizeof(does) / sizeof(does[0]); i++)
-        libevdev_uinput_write_event(screen, does[i].type, does[i].code,
-                                    does[i].value);
+    if (argc > 1)
+        return tap_all(screen, path, argc, argv);
+    write_steps(screen, does, sizeof(does) / sizeof(does[0]));
     if (!wait_reader(path))
         return 2;
     libevdev_uinput_destroy(screen); /* while a finger rests */
