@@ -24,9 +24,9 @@ struct pel_dither {
 };
 
 /* The source must live as long as the paint and may be any paint but a dither.
- * It draws into a surface like the shape's with another format, of id 255: so
- * it draws through the format's functions alone. PEL_ERROR_NULL,
- * PEL_ERROR_RANGE (the source is a dither). */
+ * The source sees a surface whose format, of id 255, moves each color before
+ * the real format stores it: so code that is written for one format is not used
+ * under a dither. PEL_ERROR_NULL, PEL_ERROR_RANGE (the source is a dither). */
 enum pel_status pel_dither_init(struct pel_dither *paint,
                                 const struct pel_paint *source);
 PEL_END_DECLS

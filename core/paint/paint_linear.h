@@ -25,9 +25,9 @@ PEL_BEGIN_DECLS
  * color stays. */
 struct pel_linear {
     struct pel_gradient base;
-    struct pel_point from, d; /* turned round where d.x would be below 0, or
-                                 d.y, where d.x is 0: then products do not fall
-                                 to the right, or downwards */
+    struct pel_point from, d; /* from `to` to `from` instead where d.x would be
+                                 negative, or d.y where d.x is 0: so products
+                                 grow to the right, or downwards */
     int64_t square; /* |d|^2 = 256 n cell + cell_rest, which are not set where
                        code is to be small; nor is a vertical way turned */
     int64_t cell;
