@@ -45,7 +45,12 @@ EXAMPLE_ASSETS_scope := sans_15
 EXAMPLE_ASSETS_thermostat := digits_76 sans_17 drop flame sun
 EXAMPLE_ASSETS_watch := digits_20
 EXAMPLE_ASSETS_paints := fixed_6x13
-example_sources = examples/$1.c $(DRIVERS) \
+EXAMPLES := $(sort $(wildcard examples/*.c))
+EXAMPLE_NAMES := $(EXAMPLES:examples/%.c=%)
+$(if $(filter board window device,$(MAKECMDGOALS)),$(if \
+    $(filter-out $(EXAMPLE_NAMES),$(EXAMPLE)),$(error EXAMPLE=$(EXAMPLE): expected \
+    one of $(EXAMPLE_NAMES), or a program of yours in examples/$(EXAMPLE).c)))
+example_sources = examples/$1.c $(wildcard examples/$1/*.c) $(DRIVERS) \
     $(EXAMPLE_ASSETS_$1:%=$(BUILD)/examples/%.c)
 
 .PHONY: all help
@@ -65,7 +70,6 @@ $(BUILD)/core/%.o: core/%.c
 	@mkdir -p $(@D)
 	$(CC) $(PEL_CFLAGS) $(CFLAGS) -c $< -o $@
 
-EXAMPLES := $(sort $(wildcard examples/*.c))
 EXAMPLE_PROGRAMS := $(EXAMPLES:%.c=$(BUILD)/%)
 
 define example_program
@@ -74,7 +78,7 @@ $(BUILD)/examples/$1: $(call example_sources,$1) $(BUILD)/libpel.a \
 	@mkdir -p $$(@D)
 	$$(CC) $$(PEL_CFLAGS) -I$$(@D) $$(CFLAGS) $$(filter %.c %.a,$$^) -o $$@
 endef
-$(foreach e,$(EXAMPLES:examples/%.c=%),$(eval $(call example_program,$e)))
+$(foreach e,$(EXAMPLE_NAMES),$(eval $(call example_program,$e)))
 
 $(BUILD)/examples/fixed_%.c: sim/scenes/fixed_%.bdf $(BUILD)/pel
 	@mkdir -p $(@D)

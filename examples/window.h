@@ -4,6 +4,7 @@
 #define EXAMPLES_WINDOW_H
 
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "port/sdl/display_sdl.h"
 
@@ -32,13 +33,16 @@ static inline bool panel_input(struct pel_input *event)
     return pel_display_sdl_next(&panel_window, event);
 }
 
-/* The last frame stays until the user closes the window. */
+/* The last frame stays until the user closes the window. That he does it before
+ * is no failure, though the display has failed: the program ends well. */
 static inline void panel_close(void)
 {
     struct pel_input event;
     while (pel_display_sdl_wait(&panel_window, -1, &event)) {
     }
     pel_display_sdl_close(&panel_window);
+    if (!panel_window.message)
+        exit(EXIT_SUCCESS);
 }
 
 #endif

@@ -36,7 +36,7 @@ install -m 644 "$build/libpel.a" "$build/libpel_linux.a" "$to/lib"
 install "$build/$so" "$to/lib"
 ln -sf "$so" "$to/lib/${so%.*}"
 ln -sf "${so%.*}" "$to/lib/libpel.so"
-package pel "Exact triangles and circles in any framebuffer" <<'END'
+package pel "Exact shapes, text, pictures and small 3-D scenes in any framebuffer" <<'END'
 Cflags: -I"${prefix}/include"
 Libs: -L"${prefix}/lib" -lpel
 END

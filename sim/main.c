@@ -77,7 +77,8 @@ int main(int argc, char **argv)
     const char *name = argc > 1 ? argv[1] : "";
     char program[32];
     watch_streams();
-    if (argc < 2 || strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0) {
+    if (argc < 2 || strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 ||
+        strcmp(name, "help") == 0) {
         print_usage(argc < 2 ? stderr : stdout);
         return argc < 2 ? STATUS_ERROR : STATUS_OK;
     }

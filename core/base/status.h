@@ -4,6 +4,10 @@
 #ifndef PEL_BASE_STATUS_H
 #define PEL_BASE_STATUS_H
 
+#include "inline.h"
+
+PEL_BEGIN_DECLS
+
 enum pel_status {
     PEL_OK = 0,
     PEL_ERROR_NULL = -1,      /* a pointer that is needed is NULL */
@@ -15,5 +19,11 @@ enum pel_status {
     PEL_ERROR_FORMAT = -7,    /* not a format that can be read or drawn */
     PEL_ERROR_DEVICE = -16    /* a display: its driver has said what and why */
 };
+
+/* "PEL_ERROR_RANGE" and so on, for messages; "PEL_ERROR" for any other number.
+ * A program that does not call it has none of the texts. */
+const char *pel_status_name(enum pel_status status);
+
+PEL_END_DECLS
 
 #endif

@@ -243,17 +243,17 @@ static enum pel_status open_all(struct pel_display_sdl *w,
     const int32_t zoom = w->options.zoom;
     const struct pel_window_sdl_options window = {
         o->title, o->width * zoom, o->height * zoom, o->period == 0};
-    if (pel_window_sdl_open(&w->window, &window))
-        return PEL_OK;
-    w->message = w->window.message;
-    return PEL_ERROR_DEVICE;
+    w->closed = !pel_window_sdl_open(&w->window, &window);
+    w->message = w->closed ? w->window.message : NULL;
+    return w->closed ? PEL_ERROR_DEVICE : PEL_OK;
 }
 
 enum pel_status pel_display_sdl_open(struct pel_display *display,
                                      struct pel_display_sdl *w,
                                      const struct pel_display_sdl_options *o)
 {
-    *w = (struct pel_display_sdl){.options = *o, .display = display};
+    *w = (struct pel_display_sdl){
+        .options = *o, .display = display, .closed = true};
     if (!display || !o->format)
         return PEL_ERROR_NULL;
     if (!o->format->load || !o->format->put) {

@@ -71,8 +71,8 @@ struct pel_display_sdl {
 /* Opens the window and sets the display up; the structs stay where they are.
  * PEL_ERROR_NULL, PEL_ERROR_SIZE (no legal panel, or no memory for it),
  * PEL_ERROR_FORMAT (a format that cannot be read), PEL_ERROR_DEVICE (no window,
- * as on a machine without a screen): `message` says what is wrong. May be
- * closed in any case. */
+ * as on a machine without a screen): `message` says what is wrong. In any case
+ * it may be closed; one that did not open is as one that the user closed. */
 enum pel_status pel_display_sdl_open(
     struct pel_display *display, struct pel_display_sdl *window,
     const struct pel_display_sdl_options *options);

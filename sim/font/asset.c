@@ -151,7 +151,7 @@ static uint16_t missing_of(const struct font *font)
  * a gap; the last code point of all, so that the order stays. */
 bool font_add_box(struct font *font)
 {
-    uint8_t rows[FONT_SIZE_MAX][(FONT_SIZE_MAX + 7) / 8] = {{0}};
+    uint8_t rows[FONT_SIZE_MAX][FONT_SIZE_MAX] = {{0}};
     struct font_char box = {.code = FONT_CODE_MAX, .width = 3};
     if (missing_of(font) != PEL_FONT_NONE)
         return true;
@@ -162,7 +162,11 @@ bool font_add_box(struct font *font)
     box.top = box.height = font->ascent > 3 ? font->ascent : 3;
     for (int y = 0; y < box.height; y++)
         for (int x = 0; x < box.width; x++)
-            if (x == 0 || x == box.width - 1 || y == 0 || y == box.height - 1)
+            if (x > 0 && x < box.width - 1 && y > 0 && y < box.height - 1)
+                continue;
+            else if (font->is_smooth)
+                rows[y][x] = 255;
+            else
                 rows[y][x / 8] |= (uint8_t)(0x80 >> x % 8);
     font->missing = FONT_CODE_MAX;
     return font_add(font, &box, rows[0], sizeof(rows[0]));

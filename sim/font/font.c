@@ -47,7 +47,7 @@ static bool sort(struct font *font, const char *path)
     size_t n = 1;
     if (font->count == 0)
         return message_error_at(path, 0,
-                                "has no glyph with a code point: expected a "
+                                "has none of the wanted characters, or is no "
                                 "font of characters");
     qsort(font->chars, font->count, sizeof(*font->chars), by_code);
     for (size_t i = 1; i < font->count; i++)

@@ -187,7 +187,8 @@ static bool refuse(struct scene *scene, const struct scene_settings *s,
         return message_error("a sensor of %gx%g makes more than 65536 or less "
                              "than 1/256 pixel of a unit",
                              s->camera.sensor[0], s->camera.sensor[1]);
-    return message_error("the scene cannot be drawn (status %d)", status);
+    return message_error("the scene cannot be drawn (%s)",
+                         pel_status_name(status));
 }
 
 bool scene_prepare(struct scene *scene, const struct scene_settings *settings)

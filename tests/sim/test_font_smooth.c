@@ -53,6 +53,31 @@ static bool is_ascii(long code)
     return code < 127;
 }
 
+static bool is_digit(long code)
+{
+    return code >= '0' && code <= '9';
+}
+
+/* A frame of one pixel around nothing, as wide as the widest glyph. */
+TEST(what_is_missing_is_a_box)
+{
+    const struct font_options options = {
+        .size = 24, .is_smooth = true, .is_wanted = is_digit};
+    struct font font;
+    assert_true(font_load(&font, path, &options));
+    assert_true(font_add_box(&font));
+    const struct font_char *c = &font.chars[font.count - 1];
+    const size_t n = (size_t)(c->width * c->height);
+    int sum = 0;
+    for (size_t i = 0; i < n; i++)
+        sum += font.bits[c->offset + i];
+    assert_int_equal(c->code, FONT_CODE_MAX);
+    assert_true(c->width > 5 && c->height == font.ascent);
+    assert_int_equal(c->width, c->advance - 1);
+    assert_int_equal(sum, 255 * 2 * (c->width + c->height - 2));
+    font_free(&font);
+}
+
 /* FreeType rounds outlines to 1/64 px and curves to few lines. Where contours
  * overlap in a pixel it adds their areas, so accents stay out. */
 TEST(levels_are_those_of_freetype)

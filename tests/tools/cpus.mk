@@ -124,7 +124,6 @@ BOARD_RAM_board := 4K
 BOARD_RAM_oled := 4K
 BOARD_RAM_mesh := 8K
 EXAMPLES_CHECKED := board game gauge mesh oled selftest watch
-BOARD_EXAMPLES := $(sort $(EXAMPLES_CHECKED) $(PRODUCTS) paints user_paint)
 
 # $1 board, $2 CPU whose code it runs, $3 example, $4 its RAM
 define board_example
@@ -136,15 +135,12 @@ $(BUILD)/board/$1/$3: $(filter-out drivers/%,$(call example_sources,$3)) \
 	    -I$(BUILD)/examples -Wl,--gc-sections $$(filter-out %.h,$$^) $(CPU_LINK_$1) \
 	    $(4:%=-Wl,--defsym=__ram_size=%) -o $$@
 endef
-$(foreach b,$(BOARDS),$(foreach e,$(BOARD_EXAMPLES),$(eval $(call \
+$(foreach b,$(BOARDS),$(foreach e,$(EXAMPLE_NAMES),$(eval $(call \
     board_example,$b,$b,$e,$(if $(filter a53 lx106,$b),,$(BOARD_RAM_$e))))))
 $(foreach b,$(SMALL_BOARDS),$(foreach e,$(SMALL_EXAMPLES_$b),$(eval $(call \
     board_example,$b,$(SMALL_CPU_$b),$e))))
 
 BOARD_CPU = $(or $(SMALL_CPU_$(BOARD)),$(BOARD))
-$(if $(filter board,$(MAKECMDGOALS)),$(if $(filter \
-    $(BOARD_EXAMPLES),$(EXAMPLE)),,$(error EXAMPLE=$(EXAMPLE): expected one of \
-    $(BOARD_EXAMPLES))))
 BOARDS_WITH_IT := $(strip $(BOARDS) $(foreach b,$(SMALL_BOARDS),$(if $(filter \
     $(EXAMPLE),$(SMALL_EXAMPLES_$b)),$b)))
 $(if $(filter board,$(MAKECMDGOALS)),$(if $(filter $(BOARDS_WITH_IT),$(BOARD)),, \

@@ -226,6 +226,18 @@ TEST(clip_stays_inside)
     assert_memory_equal(&s.clip, &(struct pel_rect){0}, sizeof s.clip);
 }
 
+TEST(names_of_statuses)
+{
+    assert_string_equal(pel_status_name(PEL_OK), "PEL_OK");
+    assert_string_equal(pel_status_name(PEL_ERROR_RANGE), "PEL_ERROR_RANGE");
+    for (int s = PEL_ERROR_FORMAT; s < PEL_OK; s++)
+        for (int other = PEL_ERROR_FORMAT; other < s; other++)
+            assert_string_not_equal(pel_status_name((enum pel_status)s),
+                                    pel_status_name((enum pel_status)other));
+    assert_string_equal(pel_status_name(PEL_ERROR_DEVICE), "PEL_ERROR_DEVICE");
+    assert_string_equal(pel_status_name((enum pel_status)-9), "PEL_ERROR");
+}
+
 /* Where init failed there is no pixel, whatever the surface was before. */
 TEST(failed_surfaces)
 {

@@ -99,6 +99,8 @@ int main(int argc, char **argv)
         }
     }
     printf("ended %d\n", status);
+    while (pel_display_sdl_wait(&window, status == PEL_OK ? 0 : -1, &e))
+        continue;
     pel_display_sdl_close(&window);
     return status != PEL_OK;
 }
