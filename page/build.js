@@ -9,7 +9,7 @@ const pack = (bytes) => gzipSync(bytes, { level: 9 }).toString("base64");
 
 const files = { "first.pel": readFileSync("page/first.pel").toString("base64") };
 for (const name of readdirSync("sim/scenes").sort())
-  if (/\.(pel|ppm|bdf)$/.test(name))
+  if (/\.(pel|ppm|bdf|md)$/.test(name))
     files[name] = readFileSync("sim/scenes/" + name).toString("base64");
 const data = {
   wasm: pack(readFileSync(process.argv[2])),

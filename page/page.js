@@ -28,6 +28,8 @@ async function start() {
   fill_list(document.getElementById("format"), formats);
   fill_list(document.getElementById("scene"), [...files.keys()]
     .filter((name) => name.endsWith(".pel")).map((name) => [name, name]));
+  document.getElementById("commands").textContent =
+    new TextDecoder().decode(files.get("README.md"));
   const page = { files, module };
   new Sheet(page).load("first.pel");
   const ways = new Ways(host);

@@ -10,13 +10,20 @@ class Sheet {
     for (const name of ["source", "picture", "zoom", "bands", "heat", "format",
       "scene", "lens", "gutter", "error", "explain"])
       this[name] = document.getElementById(name);
-    this.source.addEventListener("input", () => this.draw());
+    this.source.addEventListener("input", () => {
+      this.scene.value = ""; // it is another script from now on
+      this.draw();
+    });
     this.source.addEventListener("scroll", () => {
       this.gutter.scrollTop = this.source.scrollTop;
     });
     for (const control of [this.format, this.heat, this.bands])
       control.addEventListener("change", () => this.draw());
-    this.zoom.addEventListener("change", () => this.size());
+    this.zoom.addEventListener("change", () => {
+      this.chosen = true;
+      this.size();
+    });
+    addEventListener("resize", () => this.size());
     this.scene.addEventListener("change", () => this.load(this.scene.value));
     this.picture.addEventListener("pointermove", (e) => {
       if (!this.held)
@@ -36,7 +43,7 @@ class Sheet {
     this.source.scrollTop = 0;
     this.held = false;
     this.at = null;
-    this.zoom.value = "";
+    this.chosen = false;
     this.draw();
   }
 
@@ -64,14 +71,15 @@ class Sheet {
     const text = host.taken(2).trim();
     this.error.textContent = text.replace(/^pel: \/script\.pel:(\d+):/gm, "line $1:");
     this.wrong = Number((/script\.pel:(\d+):/.exec(text) || [])[1]);
-    if (!bytes)
-      return; // the last picture stays
+    if (!bytes) { // the last picture stays, and what was said of it goes
+      this.host = null;
+      this.explain.textContent = "";
+      this.error.textContent += "\n(the picture is that of the script before)";
+      return;
+    }
     const width = call.page_width(), height = call.page_height();
     Object.assign(this.picture, { width, height });
     this.host = host;
-    if (!this.zoom.value)
-      this.zoom.value = [4, 3, 2].find((z) =>
-        z * width <= this.picture.parentElement.clientWidth) || 1;
     this.size();
     const context = this.picture.getContext("2d", { willReadFrequently: true });
     const data = new ImageData(width, height);
@@ -89,7 +97,11 @@ class Sheet {
       context.fillRect(0, y, this.picture.width, rows);
   }
 
+  // As large as fits, until someone chooses.
   size() {
+    if (!this.chosen)
+      this.zoom.value = [4, 3, 2].find((z) =>
+        z * this.picture.width <= this.picture.parentElement.clientWidth) || 1;
     this.picture.style.width = this.picture.width * this.zoom.value + "px";
     this.picture.style.height = this.picture.height * this.zoom.value + "px";
   }

@@ -25,8 +25,7 @@ static const struct page_section first[] = {
     {"meshes", "3-D",
      "Flat, Gouraud, textures, Phong. <a href=\"lighting.html\">Light term by "
      "term</a> has a page of its own.",
-     "duck-flat duck-gouraud texture-nearest texture-bilinear lighting-phong "
-     "meshes vase"},
+     "vase duck-gouraud texture-bilinear lighting-phong meshes"},
     {NULL, NULL, NULL, NULL},
 };
 
@@ -43,7 +42,8 @@ static const struct page_section second[] = {
      "lighting-phong-light3"},
     {"parts", "Texture and light apart", "",
      "lighting-texture-vertices lighting-texture-pixels "
-     "lighting-gouraud-plain lighting-phong-plain texture-flat"},
+     "lighting-gouraud-plain lighting-phong-plain texture-flat duck-flat "
+     "texture-nearest"},
     {NULL, NULL, NULL, NULL},
 };
 
@@ -129,10 +129,25 @@ static const char head[] =
     "footer { padding-bottom: 3rem; }\n"
     "</style>\n</head>\n<body>\n";
 
+static void print_escaped_character(FILE *page, char c)
+{
+    fprintf(page, strchr("&<>\"", c) ? "&#%d;" : "%c", c);
+}
+
 static void print_escaped(FILE *page, const char *text)
 {
     for (; *text; text++)
-        fprintf(page, strchr("&<>\"", *text) ? "&#%d;" : "%c", *text);
+        print_escaped_character(page, *text);
+}
+
+/* What stands between two backticks is code. */
+static void print_note(FILE *page, const char *text)
+{
+    for (int marks = 0; *text; text++)
+        if (*text == '`')
+            fputs(marks++ % 2 ? "</code>" : "<code>", page);
+        else
+            print_escaped_character(page, *text);
 }
 
 void page_begin(FILE *page, int number)
@@ -214,7 +229,7 @@ bool page_figure(FILE *page, const struct demo *demo,
     fprintf(page, "<h3>%s</h3>%s ", demo->name, demo->caption);
     if (strlen(result->note) > 240 && !script)
         fputs("<details><summary>What is shown</summary>", page);
-    print_escaped(page, result->note);
+    print_note(page, result->note);
     if (strlen(result->note) > 240 && !script)
         fputs("</details>", page);
     fprintf(page,

@@ -59,13 +59,12 @@ static void explain_round(struct pel_point c, const int32_t *v, size_t n)
     const int64_t dx = c.x - v[0], dy = c.y - v[1];
     const int64_t square = dx * dx + dy * dy;
     const double angle = atan2((double)dy, (double)dx) / 6.283185307179586;
-    printf("    the centre lies %.6f px from the shape's, squared %lld; the "
-           "radius squared %lld",
+    printf("    the centre lies %.6f px from the shape's; squares in 1/65536 "
+           "px2: %lld, of the radius %lld",
            sqrt((double)square) / 256, (long long)square,
            (long long)v[2] * v[2]);
     if (n % 2 == 0)
         printf(" and %lld", (long long)v[3] * v[3]);
-    printf(" / 65536 px2");
     if (n > 4)
         printf("; at %.6f turns, of %.6f up to, not including, %.6f",
                angle - floor(angle), v[n - 2] / 65536.0, v[n - 1] / 65536.0);

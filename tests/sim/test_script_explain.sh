@@ -40,13 +40,13 @@ explains 2 2 'line 4: triangle: paint flat (line 3), #ff0000 alpha 128 over' \
     'edge 2-0: the centre lies on it, a left one: inside' \
     'line 8: rect: paint flat (line 6), #00ff00 over' 'pixel value 0x07e0'
 explains 7 7 'edge 1-2: the centre lies on it, a right one: outside' \
-    'line 7: circle: paint flat (line 6)' 'the radius squared 589824'
+    'line 7: circle: paint flat (line 6)' 'of the radius 589824'
 explains 9 8 'line 7: circle: outside of the clip of line 5'
-explains 5 8 'squared 589824; the radius squared 589824'
+explains 5 8 'px2: 589824, of the radius 589824'
 explains 12 12 'line 10: polygon evenodd: outside of the clip' \
     'through it: 0 down, 1 up: winding -1, odd'
 explains 10 10 'line 12: ring: paint linear' \
-    'squared 524288; the radius squared 262144 and 1048576' \
+    'px2: 524288, of the radius 262144 and 1048576' \
     'line 13: sector: paint' 'at 0.125000 turns, of 0.000000 up to, not including, 0.250000' \
     'line 14: arc: not covered' 'of 0.500000 up to, not including, 0.750000' \
     'line 15: ellipse: not covered' '0.390625 + 1.562500 = 1.953125, inside up to 1' \
