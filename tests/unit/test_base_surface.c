@@ -235,7 +235,7 @@ TEST(names_of_statuses)
             assert_string_not_equal(pel_status_name((enum pel_status)s),
                                     pel_status_name((enum pel_status)other));
     assert_string_equal(pel_status_name(PEL_ERROR_DEVICE), "PEL_ERROR_DEVICE");
-    assert_string_equal(pel_status_name((enum pel_status)-9), "PEL_ERROR");
+    assert_string_equal(pel_status_name((enum pel_status) - 9), "PEL_ERROR");
 }
 
 /* Where init failed there is no pixel, whatever the surface was before. */
