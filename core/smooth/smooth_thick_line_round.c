@@ -1,7 +1,6 @@
 /* A line with round ends: two sides, each of which is an arc around the upper
  * end, a line and an arc around the lower one. Rows that both sides cross as
  * lines are those of a convex polygon (smooth_walk.h). */
-#include "../base/divide.h"
 #include "../base/sqrt.h"
 #include "outline.h"
 #include "smooth_thick_line.h"
@@ -18,6 +17,7 @@ struct capsule {
     int32_t radius;
     struct pel_smooth_place across; /* from an end to the right side */
     struct pel_rise rise;
+    int64_t step;         /* px 2^-32 to the next row, unless it is level */
     struct pel_rect box;  /* px */
     struct pel_span body; /* rows that both sides cross as lines */
 };
@@ -54,12 +54,16 @@ static int64_t side_bottom(const struct capsule *c, bool left)
     return (int64_t)c->d.y * 256 + side_of(c, left).y;
 }
 
-/* x there, from the upper end: |v| < 2^33, and a direction has 25 bits. */
+/* x there, from the upper end. What the side moves is below 2^32, of which an
+ * error of the step is less than a unit. */
 static int64_t side_at(const struct capsule *c, bool left, int64_t v)
 {
     const struct pel_smooth_place p = side_of(c, left);
-    int64_t rest;
-    return p.x + pel_divide_64((v - p.y) * c->d.x, c->d.y, &rest);
+    const uint64_t step = (uint64_t)pel_size_of(c->step);
+    const uint32_t down = (uint32_t)(v - p.y);
+    const int64_t way = (int64_t)(pel_multiply((uint32_t)(step >> 32), down) +
+                                  (pel_multiply((uint32_t)step, down) >> 32));
+    return p.x + (c->step < 0 ? -way : way);
 }
 
 /* The top of a row, 2^-16 px below the upper end. */
@@ -168,8 +172,8 @@ static void start_side(struct pel_smooth_side *side, const struct capsule *c,
     const int32_t first = c->body.x0;
     const int64_t x =
         (int64_t)c->end[0].x * 256 + side_at(c, left, row_top(c, first));
-    side->step = pel_smooth_step(&c->end[0], &c->end[1]);
-    side->at = x * 65536 + (int64_t)pel_times((uint64_t)side->step, y - first);
+    side->step = c->step;
+    side->at = x * 65536 + (int64_t)pel_times((uint64_t)c->step, y - first);
     side->rise = c->rise;
 }
 
@@ -224,6 +228,7 @@ static PEL_NOINLINE void set_capsule(struct capsule *c,
     c->radius = line->width >> 1;
     c->across = place_across(c->d, c->radius);
     c->rise = pel_smooth_rise(&c->end[0], &c->end[1]);
+    c->step = c->d.y ? pel_smooth_step(&c->end[0], &c->end[1]) : 0;
     find_body(c);
 }
 

@@ -120,14 +120,27 @@ static void paint_run(struct pel_smooth *smooth, int32_t y, struct pel_span run,
     }
 }
 
-/* Another pixel of a row. */
+/* Another pixel of a row, which begins with the first that has a part of the
+ * shape. */
 static void add_pixel(struct pel_smooth_row *row, uint8_t *bytes,
                       uint8_t coverage)
 {
     const bool full = coverage == 255 && row->right == 0;
+    if (coverage == 0 && row->left + row->full == 0) {
+        row->x++;
+        return;
+    }
     if (!full)
         bytes[row->left + row->right] = coverage;
     *(full ? &row->full : row->full ? &row->right : &row->left) += 1;
+}
+
+/* Takes pixels of coverage 0 from its end. */
+static void trim(struct pel_smooth_row *row)
+{
+    int32_t *const n = row->full ? &row->right : &row->left;
+    while (*n > 0 && row->coverage[row->left + row->right - 1] == 0)
+        --*n;
 }
 
 void pel_smooth_window_paint(const struct pel_smooth_window *w,
@@ -146,6 +159,7 @@ void pel_smooth_window_paint(const struct pel_smooth_window *w,
         row.full += run.x1 - run.x0;
         run.x0 = run.x1;
     }
+    trim(&row);
     pel_smooth_paint(smooth, &row);
     paint_run(smooth, w->y, run, coverage);
 }
