@@ -8,6 +8,7 @@ void pel_smooth_window_begin(struct pel_smooth_window *w, int32_t y, int32_t x,
     w->y = y;
     w->x = x;
     w->n = pel_min(end - x, PEL_SMOOTH_COLUMNS);
+    w->used = 0;
     w->next = end;
     for (int32_t i = 0; i <= w->n; i++)
         w->sum[i] = 0;
@@ -36,6 +37,7 @@ void pel_smooth_window_add(struct pel_smooth_window *w,
     const int32_t first = c->left ? -c->columns.x1 : c->columns.x0;
     const int32_t n = c->columns.x1 - c->columns.x0, h = c->height;
     int32_t *sum = w->sum + (first - w->x), before = 0;
+    w->used = pel_max(w->used, first - w->x + n);
     for (int32_t i = 0; i < n; i++) {
         const int32_t here = c->left ? area[n - 1 - i] : h - area[i];
         *sum++ += c->rising ? here - before : before - here;
@@ -148,13 +150,13 @@ void pel_smooth_window_paint(const struct pel_smooth_window *w,
 {
     uint8_t bytes[PEL_SMOOTH_COLUMNS];
     struct pel_smooth_row row = {w->y, w->x, 0, 0, 0, bytes};
-    struct pel_span run = {w->x + w->n, w->next};
+    struct pel_span run = {w->x + w->used, w->next};
     int32_t sum = 0;
-    for (int32_t i = 0; i < w->n; i++) {
+    for (int32_t i = 0; i < w->used; i++) {
         sum += w->sum[i];
         add_pixel(&row, bytes, coverage_of(sum));
     }
-    const uint8_t coverage = coverage_of(sum + w->sum[w->n]);
+    const uint8_t coverage = coverage_of(sum + w->sum[w->used]);
     if (coverage == 255 && row.right == 0) {
         row.full += run.x1 - run.x0;
         run.x0 = run.x1;

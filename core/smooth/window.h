@@ -13,6 +13,7 @@ enum { PEL_SMOOTH_COLUMNS = PEL_SMALL_CODE ? 8 : 16 };
 
 struct pel_smooth_window {
     int32_t y, x, n; /* columns from x on */
+    int32_t used;    /* of them, up to the last one that a piece crosses */
     int32_t next;    /* the first one behind it that a piece crosses */
     int32_t sum[PEL_SMOOTH_COLUMNS + 1]; /* what each has more than the one
                                             before it, and what those up to
