@@ -32,6 +32,15 @@ static void span_between(int32_t center, int32_t a, int32_t b, int32_t *from,
     *to = pel_pixel_of(center + (pel_max(a, b) >> 8) + 3) + 1;
 }
 
+/* To the next row, 2^-15; along a row as it is. Small CPUs have a division
+ * without signs already. */
+static int32_t slope_of(struct pel_point d)
+{
+    const uint32_t x = (uint32_t)pel_magnitude(d.x) * 32768;
+    const int32_t slope = (int32_t)(d.y ? x / (uint32_t)pel_magnitude(d.y) : x);
+    return (d.x < 0) == (d.y < 0) ? slope : -slope;
+}
+
 static void set_ray(struct pel_smooth_end *e, const struct pel_arc_shape *arc,
                     struct pel_point d)
 {
@@ -41,7 +50,7 @@ static void set_ray(struct pel_smooth_end *e, const struct pel_arc_shape *arc,
     span_between(arc->center.x, a.x, b.x, &e->ray.x0, &e->ray.x1);
     span_between(arc->center.y, a.y, b.y, &e->ray.y0, &e->ray.y1);
     e->box = e->ray;
-    e->slope = d.y ? d.x * 32768 / d.y : d.x * 32768;
+    e->slope = slope_of(d);
     e->shift = d.y ? 15 : 0;
     e->right = d.x >= 0;
     e->up = d.y < 0;

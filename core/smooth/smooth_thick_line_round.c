@@ -200,7 +200,7 @@ static void find_body(struct capsule *c)
     const int32_t a = c->end[0].y + ((tip + 255) >> 8);
     const int32_t b = c->end[1].y - ((tip + 255) >> 8);
     c->body = (struct pel_span){pel_pixel_of(a + 255), pel_pixel_of(b)};
-    if (c->body.x0 >= c->body.x1 || pel_magnitude(c->d.x) / NARROW >= c->d.y)
+    if (c->body.x0 >= c->body.x1 || pel_magnitude(c->d.x) >= NARROW * c->d.y)
         c->body.x0 = c->body.x1 = c->box.y1;
 }
 
