@@ -78,16 +78,17 @@ static inline uint32_t pel_mix_sum(uint32_t a, uint32_t change, int32_t i)
 }
 
 /* From cell i on, up where way is 1, or down: -1. */
-static PEL_SHARED struct pel_mix pel_mix_from(const struct pel_gradient *g,
-                                              int32_t i, int32_t way)
+static PEL_SHARED void pel_mix_start(struct pel_mix *mix,
+                                     const struct pel_gradient *g, int32_t i,
+                                     int32_t way)
 {
     const pel_color a = g->ramp.colors[0], b = g->ramp.colors[1];
     const uint32_t m = 0xFF00FFu, high = (b >> 8 & m) - (a >> 8 & m);
     const uint32_t low = (b & m) - (a & m), sign = (uint32_t)way;
-    const struct pel_mix mix = {pel_mix_sum(a >> 8 & m, high, i),
-                                pel_mix_sum(a & m, low, i), sign * high,
-                                sign * low};
-    return mix;
+    mix->high = pel_mix_sum(a >> 8 & m, high, i);
+    mix->low = pel_mix_sum(a & m, low, i);
+    mix->high_change = sign * high;
+    mix->low_change = sign * low;
 }
 
 static inline pel_color pel_mixed(struct pel_mix mix)

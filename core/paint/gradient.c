@@ -38,7 +38,9 @@ static pel_color ramp_color(const struct pel_gradient *g, int32_t place)
         return colors[cell];
     if (PEL_SMALL_CODE)
         return mixed_by_channels(colors[0], colors[1], 2 * cell + 1);
-    return pel_mixed(pel_mix_from(g, cell, 1));
+    struct pel_mix mix;
+    pel_mix_start(&mix, g, cell, 1);
+    return pel_mixed(mix);
 }
 
 void pel_cells_color(struct pel_cells *c)
@@ -61,7 +63,8 @@ static int32_t pass_mixed(struct pel_cells *c)
     const bool back = c->place >= g->cells, down = back == (c->way > 0);
     const int32_t i = back ? g->period - 1 - c->place : c->place;
     const int32_t most = down ? i : 255 - i;
-    struct pel_mix mix = pel_mix_from(g, i, down ? -1 : 1);
+    struct pel_mix mix;
+    pel_mix_start(&mix, g, i, down ? -1 : 1);
     const pel_color first = pel_mixed(mix) & c->mask;
     int32_t passed = 0;
     for (; passed < most; passed++) {

@@ -286,7 +286,7 @@ static PEL_NOINLINE_32 bool fill_walked(const struct pel_linear *p,
         const struct pel_span run = spans->span[k];
         if (run.x0 >= run.x1)
             continue;
-        walk.mix = pel_mix_from(&p->base, c.place, p->way);
+        pel_mix_start(&walk.mix, &p->base, c.place, p->way);
         walk.error = (int32_t)c.error + p->d.x * (run.x0 - hull.x0);
         walk.rest = c.rest;
         if (!channels->walk(spans->surface, run.x0, spans->y + k * spans->step,
