@@ -1,8 +1,9 @@
-/* The commands of scripts, one row of a table each. Only for sim/script.
+/* The commands of scripts, one row of a table each. For sim/script and
+ * sim/view.
  *
  * A new one is a row in shapes.c, images.c, paints.c or mesh_commands.c, with
- * the function that it names, and a line of sim/scenes/README.md; a new shape
- * is a row of explain.c too. */
+ * the function that it names, and a line of sim/scenes/README.md; a new form of
+ * shape is a row of explain.c too. */
 #ifndef SIM_SCRIPT_COMMANDS_H
 #define SIM_SCRIPT_COMMANDS_H
 
@@ -56,6 +57,18 @@ enum script_role {
     SCRIPT_TEXT
 };
 
+/* What the values of a shape mean. */
+enum script_form {
+    FORM_NONE, /* it is no shape */
+    FORM_TRIANGLE,
+    FORM_POLYGON,
+    FORM_ROUND, /* circle, ring, sector, arc: centre, radii, angles */
+    FORM_ELLIPSE,
+    FORM_RECTANGLE, /* with round corners, too */
+    FORM_LINE,
+    FORM_THICK_LINE
+};
+
 /* Kinds of arguments, one letter each in script_command.kinds; `*` at the end
  * repeats the last two any number of times, `+` the last three. Ranges are in
  * arguments.c. */
@@ -99,6 +112,7 @@ struct script_command {
      * each value, 8 for doubles of 65,536ths, 0 for no setting; where the flag
      * lies that becomes true, 0 for none. */
     size_t offset, size, flag;
+    enum script_form form;
     enum pel_fill_rule rule; /* of a polygon */
     bool outline;            /* draws the outline instead of the shape */
     const struct script_command *next; /* table, in the last row */
@@ -118,6 +132,21 @@ void script_pen_free(struct script_pen *pen);
 /* Runs a command: makes its setting, chooses its paint, draws. */
 void script_perform(struct script_pen *pen, const struct script_item *item);
 
+/* The kind of a command's value i. */
+char script_kind_of(const struct script_command *command, size_t i);
+
+/* Adds an item; or the command of that name, with n values, which are legal: in
+ * the units of their kinds. False, with a message, when memory is short. */
+bool script_add_item(struct script *script, const struct script_item *item);
+bool script_add(struct script *script, const char *name, const int32_t *values,
+                size_t n);
+
+/* Does the item draw with the paint in force? */
+static inline bool script_is_painted(const struct script_item *item)
+{
+    return item->command->role >= SCRIPT_TRIANGLE;
+}
+
 /* The values of an item of the pen's script. */
 static inline const int32_t *script_values(const struct script_pen *pen,
                                            const struct script_item *item)
@@ -129,8 +158,8 @@ static inline const int32_t *script_values(const struct script_pen *pen,
 bool script_clip_holds(const struct script_pen *pen, const int pixel[2]);
 
 /* True when the item, a command that draws, covers the pixel (x, y) whatever
- * the clip; *color is then the color that it leaves there. `pen` holds the
- * settings before the command. */
+ * the clip. *color is the color there before, and then the one that the item
+ * brings, with its alpha. `pen` holds the settings before the command. */
 bool script_covers(const struct script_pen *pen, const struct script_item *item,
                    const int pixel[2], pel_color *color);
 

@@ -6,7 +6,6 @@
 
 #include "core/raster/thick_line.h"
 #include "core/raster/triangle.h"
-#include "sim/cli/arguments.h"
 #include "sim/script/commands.h"
 
 struct explanation {
@@ -128,17 +127,12 @@ static void explain_line(struct pel_point c, const int32_t *v, size_t n)
            (int)(v[3] >> 8));
 }
 
-static const struct {
-    const char *names;
-    void (*explain)(struct pel_point c, const int32_t *v, size_t n);
-} shapes[] = {
-    {"triangle", explain_triangle},
-    {"polygon evenodd|polygon nonzero", explain_polygon},
-    {"circle|ring|sector|arc", explain_round},
-    {"ellipse", explain_ellipse},
-    {"rect|roundrect", explain_rect},
-    {"thickline", explain_thick},
-    {"line", explain_line},
+static void (*const explain_form[])(struct pel_point c, const int32_t *v,
+                                    size_t n) = {
+    [FORM_TRIANGLE] = explain_triangle, [FORM_POLYGON] = explain_polygon,
+    [FORM_ROUND] = explain_round,       [FORM_ELLIPSE] = explain_ellipse,
+    [FORM_RECTANGLE] = explain_rect,    [FORM_LINE] = explain_line,
+    [FORM_THICK_LINE] = explain_thick,
 };
 
 static void explain_shape(const struct explanation *e,
@@ -146,15 +140,12 @@ static void explain_shape(const struct explanation *e,
 {
     const struct pel_point c = {pel_pixel_center(e->at[0]),
                                 pel_pixel_center(e->at[1])};
-    const char *name = item->command->name;
-    if (strncmp(name, "outline ", 8) == 0) {
+    const enum script_form form = item->command->form;
+    if (item->command->outline)
         puts("    of the shape, the pixels with one outside of it beside, "
              "above or below:");
-        name += 8;
-    }
-    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++)
-        if (choice_find(shapes[i].names, name) >= 0)
-            shapes[i].explain(c, script_values(&e->pen, item), item->count);
+    if (form != FORM_NONE)
+        explain_form[form](c, script_values(&e->pen, item), item->count);
 }
 
 static pel_color pixel(const struct explanation *e)
@@ -169,9 +160,10 @@ static void print_paint(const struct explanation *e,
                         const struct script_item *item, pel_color color)
 {
     const struct script_item *paint = e->pen.paint;
-    const bool painted = item->command->role >= SCRIPT_TRIANGLE;
+    const bool painted = script_is_painted(item);
     if (painted && paint)
-        printf("%s (line %ld)%s, ", paint->command->name, paint->line,
+        printf("%s (line %ld)%s%s, ", paint->command->name, paint->line,
+               e->pen.blend ? ", blended" : "",
                e->pen.dither ? ", dithered" : "");
     else if (painted)
         printf("white, as at first, ");
@@ -183,12 +175,11 @@ static void print_paint(const struct explanation *e,
 /* Performs a command that draws, and explains what it did to the pixel. */
 static void explain_item(struct explanation *e, const struct script_item *item)
 {
-    pel_color color = 0;
     const struct pel_format *format = e->script->format;
     const pel_color before = pixel(e);
+    pel_color color = before;
     const bool moves = item->command->role == SCRIPT_WHOLE;
-    const bool weighed =
-        e->pen.smooth && item->command->role >= SCRIPT_TRIANGLE;
+    const bool weighed = e->pen.smooth && script_is_painted(item);
     const uint32_t coverage =
         weighed ? script_coverage(&e->pen, item, e->at) : 255;
     const bool covered =

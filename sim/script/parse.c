@@ -69,6 +69,16 @@ static size_t needed_of(const char *kinds, size_t *group)
     return n;
 }
 
+/* When none are repeated, 0 behind the last one. */
+char script_kind_of(const struct script_command *command, size_t i)
+{
+    size_t group;
+    const char *kinds = command->kinds;
+    const size_t needed = needed_of(kinds, &group);
+    return i < needed || !group ? kinds[i]
+                                : kinds[needed - group + (i - needed) % group];
+}
+
 static bool refuse_count(const struct script_parser *p, size_t given)
 {
     static const char *const more[] = {"", "", " or more, in pairs",
@@ -85,14 +95,10 @@ static bool refuse_count(const struct script_parser *p, size_t given)
 static bool parse_arguments(struct script_parser *p, size_t first)
 {
     struct script *script = p->script;
-    const char *kinds = p->command->kinds;
     size_t n = 0, group;
-    const size_t needed = needed_of(kinds, &group);
+    const size_t needed = needed_of(p->command->kinds, &group);
     for (size_t i = first; i < p->word_count; i++, n++) {
-        /* 0 behind the last one, when none are repeated. */
-        const char kind = n < needed || !group
-                              ? kinds[n]
-                              : kinds[needed - group + (n - needed) % group];
+        const char kind = script_kind_of(p->command, n);
         int32_t value;
         if (p->words[i][0] == '#' && kind != KIND_COLOR)
             break;
@@ -190,6 +196,27 @@ static bool check_command(struct script_parser *p,
     }
 }
 
+bool script_add_item(struct script *script, const struct script_item *item)
+{
+    if (item->count / 2 > script->polygon_max)
+        script->polygon_max = item->count / 2;
+    return list_add(&script->items, &script->item_count, item, sizeof *item);
+}
+
+bool script_add(struct script *script, const char *name, const int32_t *values,
+                size_t n)
+{
+    const struct script_command *command = script_shapes;
+    while (strcmp(command->name, name) != 0)
+        command = script_next(command);
+    const struct script_item item = {command, 0, script->value_count, n};
+    bool done = true;
+    for (size_t i = 0; i < n; i++)
+        done = done && list_add(&script->values, &script->value_count,
+                                &values[i], sizeof values[i]);
+    return done && script_add_item(script, &item);
+}
+
 /* Adds what the line says to the script; cuts it into words. */
 static bool parse_line(struct script_parser *p, char *text)
 {
@@ -211,10 +238,7 @@ static bool parse_line(struct script_parser *p, char *text)
         return false;
     const struct script_item item = {p->command, p->line, first,
                                      script->value_count - first};
-    if (item.count / 2 > script->polygon_max)
-        script->polygon_max = item.count / 2;
-    return check_command(p, &item) &&
-           list_add(&script->items, &script->item_count, &item, sizeof item);
+    return check_command(p, &item) && script_add_item(script, &item);
 }
 
 /* Takes a line into the caption: what the script begins with, while that is

@@ -1,47 +1,53 @@
 #include "sim/script/commands.h"
 
-#include <string.h>
-
-#include "core/format/word.h"
-
-/* A format that keeps the colors that shapes bring, with their alpha, instead
- * of drawing them: a word each. */
+/* A format that keeps the color that shapes bring, with its alpha, instead of
+ * drawing it. Its surface has one pixel, a struct spy. */
 enum { SPY_FORMAT = 200 };
+
+struct spy {
+    pel_color color; /* at first what is below */
+    bool covered;
+};
 
 static uint32_t spy_word(uint32_t word)
 {
     return word;
 }
 
-static void spy_fill(const struct pel_spans *spans, uint32_t color)
-{
-    for (int32_t i = 0; i < spans->n; i++)
-        for (int32_t x = spans->span[i].x0; x < spans->span[i].x1; x++)
-            *pel_address32(spans->surface, x, spans->y + i * spans->step) =
-                color;
-}
-
 static void spy_put(const struct pel_surface *s, int32_t x, int32_t y,
                     int32_t n, const pel_color *colors)
 {
-    memcpy(pel_address32(s, x, y), colors, (size_t)n * sizeof(*colors));
+    (void)x;
+    (void)y;
+    if (n > 0)
+        *(struct spy *)s->pixels = (struct spy){*colors, true};
+}
+
+static void spy_fill(const struct pel_spans *spans, uint32_t color)
+{
+    for (int32_t i = 0; i < spans->n; i++)
+        spy_put(spans->surface, 0, 0, spans->span[i].x1 - spans->span[i].x0,
+                &color);
 }
 
 static void spy_load(const struct pel_surface *s, int32_t x, int32_t y,
                      int32_t n, pel_color *colors)
 {
-    memcpy(colors, pel_address32(s, x, y), (size_t)n * sizeof(*colors));
+    (void)x;
+    (void)y;
+    (void)n;
+    *colors = ((const struct spy *)s->pixels)->color;
 }
 
-static const struct pel_format spy = {.id = SPY_FORMAT,
-                                      .bits = 32,
-                                      .word = 4,
-                                      .pack = spy_word,
-                                      .unpack = spy_word,
-                                      .fill = spy_fill,
-                                      .blend = spy_fill,
-                                      .put = spy_put,
-                                      .load = spy_load};
+static const struct pel_format spy_format = {.id = SPY_FORMAT,
+                                             .bits = 32,
+                                             .word = 4,
+                                             .pack = spy_word,
+                                             .unpack = spy_word,
+                                             .fill = spy_fill,
+                                             .blend = spy_fill,
+                                             .put = spy_put,
+                                             .load = spy_load};
 
 bool script_clip_holds(const struct script_pen *pen, const int pixel[2])
 {
@@ -50,22 +56,18 @@ bool script_clip_holds(const struct script_pen *pen, const int pixel[2])
            pixel[1] < r->y1;
 }
 
-/* Drawn twice, onto different words: what it leaves, it leaves different. */
 bool script_covers(const struct script_pen *pen, const struct script_item *item,
                    const int pixel[2], pel_color *color)
 {
-    const struct pel_rect bounds = {pixel[0], pixel[1], pixel[0] + 1,
-                                    pixel[1] + 1};
-    uint32_t word[2] = {0x00123456, 0x00654321};
-    for (int i = 0; i < 2; i++) {
-        struct pel_surface surface;
-        struct script_pen own = *pen;
-        own.surface = &surface;
-        pel_surface_init(&surface, &spy, &word[i], sizeof word[i], &bounds);
-        script_perform(&own, item);
-    }
-    *color = word[0];
-    return word[0] == word[1];
+    const struct pel_rect area = {pixel[0], pixel[1], pixel[0] + 1,
+                                  pixel[1] + 1};
+    struct spy spy = {.color = *color};
+    struct pel_surface surface = {&spy, 0, area, area, &spy_format};
+    struct script_pen own = *pen;
+    own.surface = &surface;
+    script_perform(&own, item);
+    *color = spy.color;
+    return spy.covered;
 }
 
 /* In white on black. */
@@ -79,6 +81,7 @@ uint32_t script_coverage(const struct script_pen *pen,
     uint8_t coverage = 0;
     own.surface = &surface;
     own.paint = NULL;
+    own.blend = 0;
     own.dither = false;
     pel_surface_init(&surface, &pel_gray8, &coverage, 1, &bounds);
     script_perform(&own, item);
@@ -89,18 +92,16 @@ uint32_t script_coverage(const struct script_pen *pen,
 long script_pick(const struct script *script, int x, int y)
 {
     long found = -1;
-    pel_color color;
     struct script_pen pen;
-    uint32_t word;
-    struct pel_surface surface;
-    const int at[2] = {x, y};
     const struct pel_rect pixel = {x, y, x + 1, y + 1};
-    pel_surface_init(&surface, &spy, &word, sizeof word, &pixel);
-    if (!script_pen_init(&pen, script, &surface))
+    struct pel_surface none = {NULL, 0, pixel, pixel, NULL};
+    const int at[2] = {x, y};
+    if (!script_pen_init(&pen, script, &none))
         return -1;
     for (size_t i = 0; i < script->item_count; i++) {
         const struct script_item *item = &script->items[i];
         const enum script_role role = item->command->role;
+        pel_color color = 0;
         if (role < SCRIPT_CLEAR)
             script_perform(&pen, item);
         pen.smooth = false;

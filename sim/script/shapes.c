@@ -63,19 +63,21 @@ static void set_clip(struct script_pen *pen, const int32_t *v)
 /* The function that fills a shape, or its smooth twin. */
 #define FILL(pen, name) ((pen)->smooth ? pel_smooth_##name : pel_##name)
 
-static void draw_triangle(struct script_pen *pen, const int32_t *v)
-{
-    (pen->collinear_line && !pen->smooth
-         ? pel_triangle_or_line
-         : FILL(pen, triangle))(pen->surface, points(v), script_paint(pen));
-}
-
 /* The functions below draw a shape or, as the row of the table says, its
  * outline. */
 
 static bool outlined(const struct script_pen *pen)
 {
     return pen->item->command->outline;
+}
+
+static void draw_triangle(struct script_pen *pen, const int32_t *v)
+{
+    const bool or_line = pen->collinear_line && !pen->smooth;
+    (outlined(pen) ? pel_triangle_outline
+     : or_line
+         ? pel_triangle_or_line
+         : FILL(pen, triangle))(pen->surface, points(v), script_paint(pen));
 }
 
 /* Cannot fail: vertices and scratch memory were checked before. */
@@ -123,11 +125,6 @@ static void draw_sector(struct script_pen *pen, const int32_t *v)
                                                           script_paint(pen));
 }
 
-static void outline_triangle(struct script_pen *pen, const int32_t *v)
-{
-    pel_triangle_outline(pen->surface, points(v), script_paint(pen));
-}
-
 static void draw_line(struct script_pen *pen, const int32_t *v)
 {
     pel_line(pen->surface, points(v)[0], points(v)[1], script_paint(pen));
@@ -161,40 +158,49 @@ const struct script_command script_shapes[] = {
     {"option smooth", "o", "off|on", SCRIPT_STATE,
      SCRIPT_SETTING(struct script_pen, smooth, 1)},
     {"triangle", "pppppp", "X0 Y0 X1 Y1 X2 Y2", SCRIPT_TRIANGLE,
-     .draw = draw_triangle},
+     .draw = draw_triangle, .form = FORM_TRIANGLE},
     {"polygon evenodd", "pppppp*", "X Y X Y X Y ...", SCRIPT_SHAPE,
-     .draw = draw_polygon, .rule = PEL_EVEN_ODD},
+     .draw = draw_polygon, .form = FORM_POLYGON, .rule = PEL_EVEN_ODD},
     {"polygon nonzero", "pppppp*", "X Y X Y X Y ...", SCRIPT_SHAPE,
-     .draw = draw_polygon, .rule = PEL_NON_ZERO},
-    {"circle", "ppl", "CX CY R", SCRIPT_SHAPE, .draw = draw_circle},
+     .draw = draw_polygon, .form = FORM_POLYGON, .rule = PEL_NON_ZERO},
+    {"circle", "ppl", "CX CY R", SCRIPT_SHAPE, .draw = draw_circle,
+     .form = FORM_ROUND},
     {"rect", "ppll", "X Y WIDTH HEIGHT", SCRIPT_SHAPE, .draw = draw_rect,
-     .check = check_rect},
-    {"line", "pppp", "X0 Y0 X1 Y1", SCRIPT_SHAPE, .draw = draw_line},
-    {"ring", "ppll", "CX CY INNER OUTER", SCRIPT_SHAPE, .draw = draw_ring},
+     .form = FORM_RECTANGLE, .check = check_rect},
+    {"line", "pppp", "X0 Y0 X1 Y1", SCRIPT_SHAPE, .draw = draw_line,
+     .form = FORM_LINE},
+    {"ring", "ppll", "CX CY INNER OUTER", SCRIPT_SHAPE, .draw = draw_ring,
+     .form = FORM_ROUND},
     {"sector", "ppltt", "CX CY R FROM TO", SCRIPT_SHAPE, .draw = draw_sector,
-     .check = check_turns},
+     .form = FORM_ROUND, .check = check_turns},
     {"arc", "pplltt", "CX CY INNER OUTER FROM TO", SCRIPT_SHAPE,
-     .draw = draw_arc, .check = check_turns},
-    {"ellipse", "ppll", "CX CY RX RY", SCRIPT_SHAPE, .draw = draw_ellipse},
+     .draw = draw_arc, .form = FORM_ROUND, .check = check_turns},
+    {"ellipse", "ppll", "CX CY RX RY", SCRIPT_SHAPE, .draw = draw_ellipse,
+     .form = FORM_ELLIPSE},
     {"roundrect", "pplll", "X Y WIDTH HEIGHT R", SCRIPT_SHAPE,
-     .draw = draw_rounded, .check = check_rect},
+     .draw = draw_rounded, .form = FORM_RECTANGLE, .check = check_rect},
     {"thickline", "ppppl", "X0 Y0 X1 Y1 WIDTH", SCRIPT_SHAPE,
-     .draw = draw_thick, .check = check_thick},
+     .draw = draw_thick, .form = FORM_THICK_LINE, .check = check_thick},
     {"outline triangle", "pppppp", "X0 Y0 X1 Y1 X2 Y2", SCRIPT_SHAPE,
-     .draw = outline_triangle},
+     .draw = draw_triangle, .form = FORM_TRIANGLE, .outline = true},
     {"outline rect", "ppll", "X Y WIDTH HEIGHT", SCRIPT_SHAPE,
-     .draw = draw_rect, .check = check_rect, .outline = true},
-    {"outline roundrect", "pplll", "X Y WIDTH HEIGHT R", SCRIPT_SHAPE,
-     .draw = draw_rounded, .check = check_rect, .outline = true},
-    {"outline circle", "ppl", "CX CY R", SCRIPT_SHAPE, .draw = draw_circle,
+     .draw = draw_rect, .form = FORM_RECTANGLE, .check = check_rect,
      .outline = true},
+    {"outline roundrect", "pplll", "X Y WIDTH HEIGHT R", SCRIPT_SHAPE,
+     .draw = draw_rounded, .form = FORM_RECTANGLE, .check = check_rect,
+     .outline = true},
+    {"outline circle", "ppl", "CX CY R", SCRIPT_SHAPE, .draw = draw_circle,
+     .form = FORM_ROUND, .outline = true},
     {"outline ellipse", "ppll", "CX CY RX RY", SCRIPT_SHAPE,
-     .draw = draw_ellipse, .outline = true},
+     .draw = draw_ellipse, .form = FORM_ELLIPSE, .outline = true},
     {"outline arc", "ppltt", "CX CY R FROM TO", SCRIPT_SHAPE,
-     .draw = draw_sector, .check = check_turns, .outline = true},
+     .draw = draw_sector, .form = FORM_ROUND, .check = check_turns,
+     .outline = true},
     {"outline polygon evenodd", "pppppp*", "X Y X Y X Y ...", SCRIPT_SHAPE,
-     .draw = draw_polygon, .rule = PEL_EVEN_ODD, .outline = true},
+     .draw = draw_polygon, .form = FORM_POLYGON, .rule = PEL_EVEN_ODD,
+     .outline = true},
     {"outline polygon nonzero", "pppppp*", "X Y X Y X Y ...", SCRIPT_SHAPE,
-     .draw = draw_polygon, .rule = PEL_NON_ZERO, .outline = true},
+     .draw = draw_polygon, .form = FORM_POLYGON, .rule = PEL_NON_ZERO,
+     .outline = true},
     {.next = script_images},
 };

@@ -1,11 +1,13 @@
 #include "sim/view/figures.h"
 
 #include <math.h>
-#include <string.h>
 
-#include "sim/cli/number.h"
+#include "sim/cli/list.h"
+#include "sim/script/commands.h"
 
-#define TURN 6.283185307179586
+#define RADIANS 6.283185307179586 /* of a turn */
+
+enum { TURN = 65536 }; /* in the units of scripts; 1 for positions of stops */
 
 #define MARK PEL_RGB(255, 255, 160)
 
@@ -15,89 +17,97 @@ static const pel_color hues[7] = {PEL_RGB(255, 0, 0), PEL_RGB(255, 255, 0),
                                   PEL_RGB(0, 0, 255), PEL_RGB(255, 0, 255),
                                   PEL_RGB(255, 0, 0)};
 
-/* #rrggbbaa, as the style shows a color: half way to MARK where it is marked.
- */
-static void put_color(FILE *out, const struct style *style, pel_color color)
+/* A color as the style shows it: half way to MARK where it is marked. */
+static int32_t shown(const struct style *style, pel_color color)
 {
     const pel_color half = (color >> 1 & 0x7F7F7F) + (MARK >> 1 & 0x7F7F7F);
     const pel_color c = style->marked ? half : color;
-    const unsigned alpha = (pel_alpha(color) * style->alpha + 127) / 255;
-    fprintf(out, "#%06x%02x", (unsigned)c & 0xFFFFFF, alpha);
+    return (int32_t)(pel_round_div255(pel_alpha(color) * style->alpha) << 24 |
+                     (c & 0xFFFFFF));
 }
 
-static void put_stop(FILE *out, const struct style *style, double at,
-                     pel_color color)
+static int32_t sub_pixels(double px)
 {
-    fprintf(out, " %.5f ", at);
-    put_color(out, style, color);
+    return (int32_t)fmax(PEL_COORDINATE_MIN,
+                         fmin(round(px * 256), PEL_COORDINATE_MAX));
 }
 
-static void put_corners(FILE *out, const struct style *style,
+static bool add_one(struct script *script, const char *name, int32_t value)
+{
+    return script_add(script, name, &value, 1);
+}
+
+static bool add_corners(struct script *script, const struct style *style,
                         const struct outline *o)
 {
-    fputs("paint fan", out);
+    int32_t v[3 * OUTLINE_CORNERS];
     for (int i = 0; i < o->corners; i++) {
-        fprintf(out, " %.4f %.4f ", o->corner[i][0], o->corner[i][1]);
-        put_color(out, style, hues[i * 6 / o->corners]);
+        v[3 * i] = sub_pixels(o->corner[i][0]);
+        v[3 * i + 1] = sub_pixels(o->corner[i][1]);
+        v[3 * i + 2] = shown(style, hues[i * 6 / o->corners]);
     }
+    return script_add(script, "paint fan", v, 3 * (size_t)o->corners);
 }
 
-static void put_rings(FILE *out, const struct style *style,
+static bool add_rings(struct script *script, const struct style *style,
                       const struct outline *o)
 {
-    const double r = o->r / 3 > 1 ? o->r / 3 : 1;
-    fprintf(out,
-            "option cells 256\noption spread repeat\noption phase %.5f\n"
-            "paint radial %.4f %.4f %.4f",
-            o->phase, o->x, o->y, r);
-    put_stop(out, style, 0, PEL_RGB(255, 255, 255));
-    put_stop(out, style, 0.5, style->color | PEL_RGB(0, 0, 0));
-    put_stop(out, style, 1, PEL_RGB(255, 255, 255));
+    enum { CELLS_256 = 3 };
+    const int32_t white = shown(style, PEL_RGB(255, 255, 255));
+    const int32_t color = shown(style, style->color | PEL_RGB(0, 0, 0));
+    const int32_t x = sub_pixels(o->x), y = sub_pixels(o->y);
+    const int32_t r = sub_pixels(fmax(o->r / 3, 1));
+    const int32_t v[] = {x, y, r, 0, white, TURN / 2, color, TURN, white};
+    return add_one(script, "option cells", CELLS_256) &&
+           add_one(script, "option spread", PEL_REPEAT) &&
+           add_one(script, "option phase", (int32_t)round(o->phase * TURN)) &&
+           script_add(script, "paint radial", v, sizeof v / sizeof *v);
 }
 
-static void put_sectors(FILE *out, const struct style *style,
+static bool add_sectors(struct script *script, const struct style *style,
                         const struct outline *o)
 {
-    fprintf(out,
-            "option cells 512\noption spread pad\npaint conic %.4f %.4f %.5f",
-            o->x, o->y, o->turn);
-    for (int i = 0; i < 7; i++)
-        put_stop(out, style, i / 6.0, hues[i]);
+    enum { CELLS_512 = 2, HUES = 6 };
+    int32_t v[3 + 2 * (HUES + 1)] = {sub_pixels(o->x), sub_pixels(o->y),
+                                     (int32_t)round(o->turn * TURN)};
+    for (int i = 0; i <= HUES; i++) {
+        v[3 + 2 * i] = (TURN * i + HUES / 2) / HUES;
+        v[4 + 2 * i] = shown(style, hues[i]);
+    }
+    return add_one(script, "option cells", CELLS_512) &&
+           add_one(script, "option spread", PEL_PAD) &&
+           script_add(script, "paint conic", v, sizeof v / sizeof *v);
 }
 
-void style_write(FILE *out, const struct style *style,
-                 const struct outline *outline)
+bool style_add(struct script *script, const struct style *style,
+               const struct outline *outline)
 {
     switch (style->fill) {
     case FILL_CORNERS:
-        put_corners(out, style, outline);
-        break;
+        return add_corners(script, style, outline);
     case FILL_RADIAL:
-        put_rings(out, style, outline);
-        break;
+        return add_rings(script, style, outline);
     case FILL_SECTOR:
-        put_sectors(out, style, outline);
-        break;
+        return add_sectors(script, style, outline);
     default:
-        fputs("paint flat ", out);
-        put_color(out, style, style->color | PEL_RGB(0, 0, 0));
+        return add_one(script, "paint flat",
+                       shown(style, style->color | PEL_RGB(0, 0, 0)));
     }
-    fputc('\n', out);
 }
 
-void style_recolor(FILE *out, const struct style *style, const char *line)
+bool style_recolor(struct script *script, const struct style *style,
+                   const struct script_item *paint)
 {
-    while (*line) {
-        pel_color color = 0;
-        const size_t length = number_color(line, &color);
-        if (length && (!line[length] || strchr(" \t\r\n", line[length]))) {
-            put_color(out, style, color);
-            line += length;
-        } else {
-            fputc(*line++, out);
-        }
+    const struct script_item own = {paint->command, paint->line,
+                                    script->value_count, paint->count};
+    bool done = true;
+    for (size_t i = 0; done && i < paint->count; i++) {
+        int32_t v = script->values[paint->first + i];
+        if (script_kind_of(paint->command, i) == KIND_COLOR)
+            v = shown(style, (pel_color)v);
+        done = list_add(&script->values, &script->value_count, &v, sizeof v);
     }
-    fputc('\n', out);
+    return done && script_add_item(script, &own);
 }
 
 /* In parts of 7/8 of half the shorter side, with falling area. A star has its
@@ -131,7 +141,7 @@ void figures_styles(struct style style[FIGURES])
 static struct outline place(const struct figures *all, const struct figure *f)
 {
     const int shorter = all->width < all->height ? all->width : all->height;
-    const double scale = shorter * 7.0 / 16, angle = all->turn * TURN;
+    const double scale = shorter * 7.0 / 16, angle = all->turn * RADIANS;
     const double c = cos(angle), s = sin(angle);
     struct outline o = {.x = all->width / 2.0 + scale * (f->x * c - f->y * s),
                         .y = all->height / 2.0 + scale * (f->x * s + f->y * c),
@@ -140,7 +150,7 @@ static struct outline place(const struct figures *all, const struct figure *f)
                         .phase = all->phase};
     const int n = f->corners ? f->corners * (f->star ? 2 : 1) : 6;
     for (int i = 0; i < n; i++) {
-        const double at = angle * 2 + i * TURN / n - TURN / 4;
+        const double at = angle * 2 + i * RADIANS / n - RADIANS / 4;
         const double r = f->star && i % 2 ? o.r / 2 : o.r;
         o.corner[i][0] = o.x + r * cos(at);
         o.corner[i][1] = o.y + r * sin(at);
@@ -157,24 +167,29 @@ struct pel_rect figures_box(const struct figures *all, int k)
         (int32_t)ceil(o.x + o.r) + 1, (int32_t)ceil(o.y + o.r) + 1};
 }
 
-void figures_write(FILE *out, const struct figures *all,
-                   const struct style style[FIGURES])
+static bool add_shape(struct script *script, const struct figure *f,
+                      const struct outline *o)
 {
-    fprintf(out, "canvas %d %d xrgb8888\n%s%sclear #101820\n", all->width,
-            all->height, all->dithered ? "option dither on\n" : "",
-            all->smooth ? "option smooth on\n" : "");
-    for (int k = 0; k < FIGURES; k++) {
+    int32_t v[2 * OUTLINE_CORNERS] = {sub_pixels(o->x), sub_pixels(o->y),
+                                      sub_pixels(o->r)};
+    if (f->corners == 0)
+        return script_add(script, "circle", v, 3);
+    for (int i = 0; i < 2 * o->corners; i++)
+        v[i] = sub_pixels(o->corner[i / 2][i % 2]);
+    return script_add(script, f->corners == 3 ? "triangle" : "polygon evenodd",
+                      v, 2 * (size_t)o->corners);
+}
+
+bool figures_add(struct script *script, const struct figures *all,
+                 const struct style style[FIGURES])
+{
+    script->width = all->width;
+    script->height = all->height;
+    bool done = add_one(script, "clear", (int32_t)PEL_RGB(16, 24, 32));
+    for (int k = 0; done && k < FIGURES; k++) {
         const struct outline o = place(all, &figures[k]);
-        const int corners = figures[k].corners;
-        style_write(out, &style[k], &o);
-        fputs(corners == 0   ? "circle"
-              : corners == 3 ? "triangle"
-                             : "polygon evenodd",
-              out);
-        if (corners == 0)
-            fprintf(out, " %.4f %.4f %.4f", o.x, o.y, o.r);
-        for (int i = 0; corners > 0 && i < o.corners; i++)
-            fprintf(out, " %.4f %.4f", o.corner[i][0], o.corner[i][1]);
-        fputc('\n', out);
+        done = style_add(script, &style[k], &o) &&
+               add_shape(script, &figures[k], &o);
     }
+    return done;
 }

@@ -1,16 +1,16 @@
 /* How pel view paints shapes; and its figures, circles and polygons that turn,
- * written as a scene script for any size of picture. */
+ * as the items of a scene script for any size of picture. */
 #ifndef SIM_VIEW_FIGURES_H
 #define SIM_VIEW_FIGURES_H
 
 #include <stdbool.h>
 #include <stdint.h>
-#include <stdio.h>
 
-#include "core/base/rect.h"
 #include "core/base/color.h"
+#include "core/base/rect.h"
+#include "sim/script/script.h"
 
-/* How a shape is painted: lines of a scene script that come before it. */
+/* How a shape is painted: items of a scene script that come before it. */
 enum fill {
     FILL_OWN,     /* the paint that the script has there */
     FILL_FLAT,    /* one color */
@@ -26,20 +26,25 @@ struct style {
     bool marked;     /* in another color: the picked one */
 };
 
+enum { OUTLINE_CORNERS = 10 };
+
 /* The shape that a paint is for, in px. */
 struct outline {
     double x, y, r; /* its middle, and how far it reaches */
-    double corner[16][2];
-    int corners; /* 3 to 16 */
+    double corner[OUTLINE_CORNERS][2];
+    int corners;
     double turn, phase;
 };
 
-/* Writes the lines of a paint other than FILL_OWN. */
-void style_write(FILE *out, const struct style *style,
-                 const struct outline *outline);
+/* These add items to a script. False, with a message, when memory is short. */
 
-/* Writes a line of a script with its colors as the style has them. */
-void style_recolor(FILE *out, const struct style *style, const char *line);
+/* A paint other than FILL_OWN, and its options. */
+bool style_add(struct script *script, const struct style *style,
+               const struct outline *outline);
+
+/* A paint of the script with its colors as the style has them. */
+bool style_recolor(struct script *script, const struct style *style,
+                   const struct script_item *paint);
 
 enum { FIGURES = 9 };
 
@@ -51,10 +56,11 @@ struct figures {
     bool dithered, smooth;
 };
 
-/* The script: figure 0 first, the largest one, and so on with falling area, so
- * that none hides a smaller one. Figure k takes style[k]. */
-void figures_write(FILE *out, const struct figures *figures,
-                   const struct style style[FIGURES]);
+/* The size and the figures of a script: figure 0 first, the largest one, and so
+ * on with falling area, so that none hides a smaller one. Figure k takes
+ * style[k]. */
+bool figures_add(struct script *script, const struct figures *figures,
+                 const struct style style[FIGURES]);
 
 /* The pixels around figure k. */
 struct pel_rect figures_box(const struct figures *figures, int k);

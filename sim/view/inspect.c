@@ -1,7 +1,5 @@
 #include "sim/view/inspect.h"
 
-#include <string.h>
-
 #include "core/format/formats.h"
 #include "core/image/glyph_text.h"
 #include "core/outline/outline.h"
@@ -63,13 +61,12 @@ static void draw_shape(const struct pel_lens *l, const struct script *script,
                        const struct script_item *item)
 {
     static const struct pel_flat line = PEL_FLAT(PEL_RGB(255, 0, 128));
-    const char *name = item->command->name;
+    const enum script_form form = item->command->form;
     const int32_t *v = script->values + item->first;
-    const bool has_corners =
-        strcmp(name, "triangle") == 0 || strncmp(name, "polygon", 7) == 0;
+    const bool has_corners = form == FORM_TRIANGLE || form == FORM_POLYGON;
+    const bool is_circle = form == FORM_ROUND && item->count == 3;
     struct pel_point a, b;
-    if (strcmp(name, "circle") == 0 && enlarge(l, v, &a) &&
-        v[2] < PEL_PX(32000) / PEL_LENS_ZOOM)
+    if (is_circle && enlarge(l, v, &a) && v[2] < PEL_PX(32000) / PEL_LENS_ZOOM)
         pel_circle_outline(&l->surface, a, v[2] * PEL_LENS_ZOOM, &line.paint);
     for (size_t i = 0; has_corners && i < item->count; i += 2)
         if (enlarge(l, v + i, &a) && enlarge(l, v + (i + 2) % item->count, &b))

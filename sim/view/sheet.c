@@ -8,50 +8,133 @@
 #include "sim/font/asset.h"
 #include "sim/script/commands.h"
 
-bool sheet_is_shape(const struct script_item *item)
-{
-    const enum script_role role = item->command->role;
-    return role == SCRIPT_SHAPE || role == SCRIPT_TRIANGLE ||
-           role == SCRIPT_TEXT;
-}
-
 int sheet_count_shapes(const struct script *script, size_t items)
 {
     int n = 0;
     for (size_t i = 0; i < items; i++)
-        n += sheet_is_shape(&script->items[i]);
+        n += script_is_painted(&script->items[i]);
     return n;
+}
+
+/* What the keys ask for before the script does. */
+static bool add_options(struct script *script, const struct inspect *show)
+{
+    const int32_t dither = inspect_formats[show->format].dithered;
+    const int32_t smooth = show->smooth;
+    return script_add(script, "option dither", &dither, 1) &&
+           script_add(script, "option smooth", &smooth, 1);
+}
+
+/* The paint and the options in force, which styles replace and put back. */
+enum { PAINT, SPREAD, PHASE, CELLS, KEPT };
+
+static bool add_first(struct script *script, struct script_item kept[KEPT])
+{
+    static const struct {
+        const char *name;
+        int32_t value;
+    } first[KEPT] = {{"paint flat", -1},
+                     {"option spread", 0},
+                     {"option phase", 0},
+                     {"option cells", 0}};
+    bool done = true;
+    for (int k = 0; done && k < KEPT; k++) {
+        done = script_add(script, first[k].name, &first[k].value, 1);
+        if (done)
+            kept[k] = script->items[script->item_count - 1];
+    }
+    return done;
+}
+
+static void keep(struct script_item kept[KEPT], const struct script_item *item)
+{
+    const enum script_role role = item->command->role;
+    if (role == SCRIPT_PAINT || role == SCRIPT_PAINT_VERTEX)
+        kept[PAINT] = *item;
+    for (int k = SPREAD; k < KEPT; k++)
+        if (item->command == kept[k].command)
+            kept[k] = *item;
+}
+
+/* Middle and reach of a shape: of its points and its last length. */
+static struct outline outline_of(const struct sheet *s,
+                                 const struct script_item *item)
+{
+    const int32_t *v = s->script.values + item->first;
+    const char *kinds = item->command->kinds, *length = strrchr(kinds, 'l');
+    const bool sized = item->command->form == FORM_RECTANGLE;
+    const double r = length && !sized ? v[length - kinds] / 256.0 : 0;
+    const size_t n = strchr(kinds, '*') ? item->count : strspn(kinds, "pi");
+    double low[2] = {1e9, 1e9}, high[2] = {-1e9, -1e9};
+    for (size_t i = 0; i < n; i++) {
+        const double at = v[i] / (kinds[0] == KIND_PIXEL ? 1 : 256.0);
+        low[i % 2] = fmin(low[i % 2], at - r);
+        high[i % 2] =
+            fmax(high[i % 2], at + r + (sized ? v[i + 2] / 256.0 : 0));
+    }
+    const double x = (low[0] + high[0]) / 2, y = (low[1] + high[1]) / 2;
+    const double reach = fmax(hypot(high[0] - low[0], high[1] - low[1]) / 2, 1);
+    const double x0 = x - reach, x1 = x + reach;
+    const double y0 = y - reach, y1 = y + reach;
+    return (struct outline){.x = x,
+                            .y = y,
+                            .r = reach,
+                            .corner = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}},
+                            .corners = 4,
+                            .phase = s->figures.phase};
+}
+
+static bool add_styled(struct sheet *s, const struct script_item *item,
+                       const struct style *style,
+                       const struct script_item kept[KEPT])
+{
+    const struct outline o = outline_of(s, item);
+    const bool own =
+        style->fill == FILL_OWN &&
+        (!style->marked || strchr(kept[PAINT].command->kinds, KIND_COLOR));
+    bool done = (own ? style_recolor(&s->script, style, &kept[PAINT])
+                     : style_add(&s->script, style, &o)) &&
+                script_add_item(&s->script, item);
+    for (int k = 0; k < KEPT; k++)
+        done = done && script_add_item(&s->script, &kept[k]);
+    return done;
+}
+
+static bool add_file(struct sheet *s)
+{
+    struct script_item kept[KEPT];
+    const struct style *style = s->style;
+    bool done = add_first(&s->script, kept);
+    for (size_t i = 0; done && i < s->item_count; i++) {
+        const struct script_item *item = &s->items[i];
+        const struct style *own = script_is_painted(item) ? style++ : NULL;
+        if (own && (own->fill != FILL_OWN || own->alpha != 255 || own->marked))
+            done = add_styled(s, item, own, kept);
+        else
+            done = script_add_item(&s->script, item);
+        keep(kept, item);
+    }
+    return done;
 }
 
 bool sheet_compose(struct sheet *s)
 {
     const struct inspect_format *as = &inspect_formats[s->inspect.format];
-    const struct pel_format *format = s->inspect.heat ? &pel_heat
-                                      : !s->path || s->inspect.format > 0
-                                          ? as->format
-                                          : NULL;
     if (!s->stale)
         return true;
-    char *text = NULL;
-    size_t size;
-    FILE *file = open_memstream(&text, &size);
+    s->script.format = s->inspect.heat                     ? &pel_heat
+                       : !s->path || s->inspect.format > 0 ? as->format
+                                                           : s->format;
+    s->script.item_count = 0;
+    s->script.value_count = s->value_count;
     s->figures.width = pel_max(s->width / s->zoom, 1);
     s->figures.height = pel_max(s->height / s->zoom, 1);
     s->figures.dithered = as->dithered;
     s->figures.smooth = s->inspect.smooth;
-    if (file && s->path)
-        sheet_write_file(file, s);
-    else if (file)
-        figures_write(file, &s->figures, s->style);
-    if (!file || fclose(file) != 0 || !(file = fmemopen(text, size, "r"))) {
-        free(text);
-        return message_error("out of memory");
-    }
-    script_free(&s->script);
     const bool done =
-        script_read(&s->script, file, s->path ? s->path : "figures", format);
-    fclose(file);
-    free(text);
+        add_options(&s->script, &s->inspect) &&
+        (s->path ? add_file(s)
+                 : figures_add(&s->script, &s->figures, s->style));
     s->stale = !done;
     return done;
 }
@@ -102,6 +185,21 @@ static void title(const struct show *show, char *text)
              inspect_formats[s->inspect.format].name);
 }
 
+static bool read_file(struct sheet *s, const char *path)
+{
+    struct script *script = &s->script;
+    if (!script_load(script, path, NULL))
+        return false;
+    s->shapes = sheet_count_shapes(script, script->item_count);
+    s->format = script->format;
+    s->value_count = script->value_count;
+    s->item_count = script->item_count;
+    s->items = script->items;
+    script->items = NULL;
+    script->item_count = 0;
+    return true;
+}
+
 bool sheet_init(struct sheet *s, const char *path)
 {
     *s = (struct sheet){
@@ -115,20 +213,13 @@ bool sheet_init(struct sheet *s, const char *path)
                  .width = 800,
                  .height = 800},
         .path = path,
+        .shapes = FIGURES,
         .picked = -1,
         .zoom = 1,
         .moving = true,
         .areas = {.window = 256},
     };
-    if (path) {
-        if (!text_lines_read(&s->lines, path) ||
-            !script_load(&s->base, path, NULL))
-            return false;
-        s->shapes = sheet_count_shapes(&s->base, s->base.item_count);
-    } else {
-        s->shapes = FIGURES;
-    }
-    if (!font_asset_builtin(&s->font))
+    if ((path && !read_file(s, path)) || !font_asset_builtin(&s->font))
         return false;
     s->style = malloc(((size_t)s->shapes + 1) * sizeof *s->style);
     s->drawn_style = malloc(((size_t)s->shapes + 1) * sizeof *s->style);
@@ -144,104 +235,10 @@ bool sheet_init(struct sheet *s, const char *path)
 
 void sheet_free(struct sheet *s)
 {
-    text_lines_free(&s->lines);
+    free(s->items);
     free(s->style);
     free(s->drawn_style);
     font_asset_free(&s->font);
-    script_free(&s->base);
     script_free(&s->script);
     canvas_free(&s->canvas);
-}
-
-/* Middle and reach of a shape: those of its box. */
-static struct outline outline_of(const struct sheet *s,
-                                 const struct script_item *item)
-{
-    const int32_t *v = s->base.values + item->first;
-    const char *kinds = item->command->kinds;
-    double box[4] = {1e9, 1e9, -1e9, -1e9};
-    const size_t pairs = strncmp(kinds, "pp", 2) == 0 ? item->count / 2 : 1;
-    const bool corners = strspn(kinds, "p*") == strlen(kinds);
-    for (size_t i = 0; i < (corners ? 2 * pairs : 2); i++) {
-        const size_t k = i % 2;
-        box[k] = fmin(box[k], v[i] / 256.0);
-        box[k + 2] = fmax(box[k + 2], v[i] / 256.0);
-    }
-    if (strncmp(kinds, "ppll", 4) == 0 && strstr(item->command->name, "rect")) {
-        box[2] += v[2] / 256.0;
-        box[3] += v[3] / 256.0;
-    } else if (!corners && item->count > 2) {
-        const double r = v[item->count > 3 && kinds[3] == 'l' ? 3 : 2] / 256.0;
-        for (int k = 0; k < 4; k++)
-            box[k] += k < 2 ? -r : r;
-    }
-    struct outline o = {.x = (box[0] + box[2]) / 2,
-                        .y = (box[1] + box[3]) / 2,
-                        .corners = 4,
-                        .phase = s->figures.phase};
-    o.r = fmax(hypot(box[2] - box[0], box[3] - box[1]) / 2, 1);
-    for (int i = 0; i < 4; i++) {
-        o.corner[i][0] = o.x + (i == 0 || i == 3 ? -o.r : o.r);
-        o.corner[i][1] = o.y + (i < 2 ? -o.r : o.r);
-    }
-    return o;
-}
-
-/* A line that draws a shape in a style, between paints and options that are as
- * they were after it. */
-static void write_styled(FILE *out, const struct sheet *s, size_t line,
-                         const struct style *style,
-                         const struct script_item *item)
-{
-    static const char *const names[] = {"paint", "option spread",
-                                        "option phase", "option cells"};
-    enum { NAMES = sizeof names / sizeof names[0] };
-    const char *last[NAMES] = {"paint flat #ffffff", "option spread pad",
-                               "option phase 0", "option cells 2048"};
-    for (size_t i = 0; i < line; i++) {
-        const char *text = s->lines.text[i];
-        text += strspn(text, " \t");
-        for (int k = 0; k < NAMES; k++)
-            if (strncmp(text, names[k], strlen(names[k])) == 0)
-                last[k] = text;
-    }
-    const char *paint = last[0];
-    const bool has_color = strchr(paint, '#') != NULL;
-    const struct outline o = outline_of(s, item);
-    if (style->fill == FILL_OWN && (has_color || !style->marked))
-        style_recolor(out, style, paint);
-    else
-        style_write(out, style, &o);
-    fprintf(out, "%s\n", s->lines.text[line]);
-    for (int k = 0; k < NAMES; k++)
-        fprintf(out, "%s\n", last[k]);
-}
-
-/* What the keys ask for before the script does. */
-static void write_options(FILE *out, const struct inspect *show)
-{
-    if (inspect_formats[show->format].dithered)
-        fputs("option dither on\n", out);
-    if (show->smooth)
-        fputs("option smooth on\n", out);
-}
-
-void sheet_write_file(FILE *out, const struct sheet *s)
-{
-    const struct script_item *item = s->base.items;
-    const struct script_item *end = item + s->base.item_count;
-    int shape = 0;
-    for (size_t i = 0; i < s->lines.count; i++) {
-        const struct script_item *at =
-            item < end && item->line == (long)i + 1 ? item++ : NULL;
-        const struct style *style =
-            at && sheet_is_shape(at) ? &s->style[shape++] : NULL;
-        if (style &&
-            (style->fill != FILL_OWN || style->alpha != 255 || style->marked))
-            write_styled(out, s, i, style, at);
-        else
-            fprintf(out, "%s\n", s->lines.text[i]);
-        if (at && at->command->role == SCRIPT_CANVAS)
-            write_options(out, &s->inspect);
-    }
 }

@@ -4,17 +4,15 @@
 #define SIM_VIEW_SHEET_H
 
 #include "drivers/dirty.h"
-#include "sim/cli/text_line.h"
 #include "sim/script/script.h"
 #include "sim/view/figures.h"
 #include "sim/view/inspect.h"
 #include "sim/view/show.h"
 
 struct sheet {
-    struct show show;        /* first */
-    const char *path;        /* NULL: the figures */
-    struct text_lines lines; /* of the file */
-    struct style *style;     /* of each shape, in the script's order */
+    struct show show;    /* first */
+    const char *path;    /* NULL: the figures */
+    struct style *style; /* of each shape, in the script's order */
     int shapes;
     int picked;             /* a shape, or -1 */
     int width, height;      /* px of the window */
@@ -22,9 +20,11 @@ struct sheet {
     int pointer[2];         /* px of the window */
     bool moving;            /* figures turn, phases grow */
     struct figures figures; /* where they are */
-    struct script base;     /* the file's, unchanged */
-    struct script script;   /* as it is shown */
-    struct canvas canvas;   /* the picture */
+    struct script script;   /* as it is shown; its first values are those of */
+    struct script_item *items; /* the file, as they were read */
+    size_t item_count, value_count;
+    const struct pel_format *format; /* the file's */
+    struct canvas canvas;            /* the picture */
     struct inspect inspect;
     struct pel_font_asset font; /* of help and numbers */
     bool stale;                 /* the picture is not as it should be */
@@ -45,14 +45,11 @@ void sheet_free(struct sheet *sheet);
 
 bool sheet_draw(struct show *show, const struct pel_surface *surface);
 enum view_action sheet_take(struct sheet *sheet, const struct pel_input *input);
-/* The script as it is to be shown, read from memory where it is stale. False,
- * with a message. */
+/* The script as it is to be shown, made anew where it is stale. False, with a
+ * message. */
 bool sheet_compose(struct sheet *sheet);
-void sheet_write_file(FILE *out, const struct sheet *sheet);
 
-/* Is it one that a style may paint? And how many of those there are among the
- * first items. */
-bool sheet_is_shape(const struct script_item *item);
+/* How many of the first items are shapes, which a style may paint. */
 int sheet_count_shapes(const struct script *script, size_t items);
 
 /* The picture's pixel under the pointer; false: none is. */

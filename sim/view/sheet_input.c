@@ -1,5 +1,5 @@
 /* What keys, pointers and fingers do to a sheet. */
-#include "sim/script/script.h"
+#include "sim/script/commands.h"
 #include "sim/view/sheet.h"
 
 enum { ZOOM_MOST = 32 };
@@ -18,7 +18,7 @@ static enum view_action pick(struct sheet *s)
     const long item = sheet_compose(s) && sheet_pixel(s, &x, &y)
                           ? script_pick(&s->script, x, y)
                           : -1;
-    const bool shape = item >= 0 && sheet_is_shape(&s->script.items[item]);
+    const bool shape = item >= 0 && script_is_painted(&s->script.items[item]);
     mark(s, shape ? sheet_count_shapes(&s->script, (size_t)item) : -1);
     return VIEW_CHANGED;
 }

@@ -73,6 +73,16 @@ explains 12 10 'line 5: ellipse: paint flat (line 3), #ff0000 alpha 117 over' \
     'covers 117 / 255 of the pixel'
 explains 5 1 'line 7: rect: paint flat (line 3), #ff0000 over'
 
+cat >"$work/s.pel" <<'END'
+canvas 16 16 xrgb8888
+clear #102030
+option blend xor
+paint flat #ff000080
+rect 1 1 4 4
+END
+explains 2 2 'line 5: rect: paint flat (line 4), blended, #ef2030 alpha 128 over #102030 gives #802030'
+explains 6 2 'line 5: rect: not covered'
+
 # After every script of the gallery: the same pixel as in the picture.
 for scene in sim/scenes/*.pel; do
     "$PEL" run "$scene" --format xrgb8888 -o "$work/o.ppm" || fail "$scene"

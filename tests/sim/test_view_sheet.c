@@ -2,10 +2,11 @@
  * only the changed areas were drawn is the one that is drawn whole. */
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "core/format/formats.h"
 #include "core/image/copy.h"
-#include "sim/script/script.h"
+#include "sim/script/commands.h"
 #include "sim/view/sheet.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
@@ -92,7 +93,7 @@ TEST(the_shape_that_is_seen_is_picked)
             const int seen = (int)(picture_row(&picture, y)[x] & 0xFFFFFF);
             int picked = 0;
             for (long k = 0; k <= item; k++)
-                picked += sheet_is_shape(&script.items[k]);
+                picked += script_is_painted(&script.items[k]);
             if (picked != seen)
                 fail_msg("scene %d, pixel %d %d: shape %d is seen, %d picked",
                          scene, x, y, seen, picked);
@@ -101,6 +102,80 @@ TEST(the_shape_that_is_seen_is_picked)
         canvas_free(&canvas);
         script_free(&script);
     }
+}
+
+/* Its color depends on what is below. */
+TEST(what_is_blended_is_picked)
+{
+    static char text[] = "canvas 4 4 xrgb8888\nclear #102030\n"
+                         "option blend multiply\nrect 0 0 2 4\n";
+    struct script script;
+    FILE *file = fmemopen(text, sizeof text - 1, "r");
+    assert_true(script_read(&script, file, "blended", NULL));
+    fclose(file);
+    assert_int_equal(script_pick(&script, 1, 1), 3);
+    assert_int_equal(script_pick(&script, 2, 1), -1);
+    script_free(&script);
+}
+
+static void press(struct sheet *sheet, int key)
+{
+    const struct pel_input in = {
+        .kind = PEL_INPUT_KEY, .state = PEL_INPUT_DOWN, .code = (uint16_t)key};
+    sheet->show.input(&sheet->show, &in);
+}
+
+/* How many pixels of a sheet's picture are not those of a script. */
+static int count_others(struct sheet *sheet, const struct script *script)
+{
+    struct canvas canvas[2];
+    int others = 0;
+    assert_true(sheet_compose(sheet));
+    for (int i = 0; i < 2; i++) {
+        assert_true(canvas_init(&canvas[i], script->format, script->width,
+                                script->height));
+        assert_true(script_draw(i ? &sheet->script : script, &canvas[i], -1));
+    }
+    const uint32_t *a = canvas[0].memory, *b = canvas[1].memory;
+    for (int i = 0; i < script->width * script->height; i++)
+        others += a[i] != b[i];
+    for (int i = 0; i < 2; i++)
+        canvas_free(&canvas[i]);
+    return others;
+}
+
+/* Shapes behind it find the paint and the options that the file has. */
+TEST(a_style_is_for_its_shape_alone)
+{
+    static const char text[] =
+        "canvas 40 10 xrgb8888\nrect 0 0 10 10\n"
+        "option spread reflect\noption phase 0.3\noption cells 64\n"
+        "paint radial 0 0 9 0 #ff0000 1 #00ff0080\nrect 10 0 10 10\n"
+        "circle 25 5 5\npaint vertex #ff0000 #ffff00 #0000ff\n"
+        "triangle 30 0 40 0 35 10\n";
+    char path[] = "/tmp/pel_sheet_XXXXXX";
+    struct sheet sheet;
+    struct script script;
+    const int fd = mkstemp(path);
+    assert_true(write(fd, text, sizeof text - 1) == sizeof text - 1);
+    close(fd);
+    assert_true(sheet_init(&sheet, path) && script_load(&script, path, NULL));
+    unlink(path);
+    for (int k = 0; k < sheet.shapes; k++) {
+        sheet.picked = k;
+        sheet.stale = true;
+        assert_int_equal(count_others(&sheet, &script), 0);
+        for (int fill = '1'; fill <= '4'; fill++) {
+            press(&sheet, fill);
+            const int others = count_others(&sheet, &script);
+            if (others == 0 || others > 100)
+                fail_msg("key %c, shape %d: %d pixels change", fill, k, others);
+        }
+        press(&sheet, '0');
+    }
+    assert_int_equal(count_others(&sheet, &script), 0);
+    script_free(&script);
+    sheet_free(&sheet);
 }
 
 /* Something that a user may do. */
