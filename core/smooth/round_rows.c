@@ -269,10 +269,12 @@ static bool is_beside(const struct pel_smooth_round *round,
            pel_pixel_of(round->left - round->radius) >= clip->x1;
 }
 
+/* With the column on the left that a shape just touches: as image of one on the
+ * right it is a pixel of coverage 0, which is read and stored. */
 static bool is_inside(const struct pel_smooth_round *round,
                       const struct pel_rect *clip)
 {
-    return pel_pixel_of(round->left - round->radius) >= clip->x0 &&
+    return pel_pixel_of(round->left - round->radius - 1) >= clip->x0 &&
            pel_pixel_of(round->right + round->radius) < clip->x1;
 }
 

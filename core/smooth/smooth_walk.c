@@ -176,11 +176,12 @@ void pel_smooth_rest_of_row(struct pel_smooth_walk *k)
     c.even = even_of(k);
     c.left.x0 = pel_max(c.left.x0, pel_max(crossed[0].x0, clip->x0));
     c.left.x1 = pel_min(pel_max(crossed[0].x1, crossed[1].x1), clip->x1);
-    if (c.left.x1 - PEL_SMOOTH_PIXELS <= c.left.x0)
-        crossed[0] = c.left;
     k->of.row.y = k->y - 1;
     k->of.row.n = 0;
-    if (c.left.x0 < c.left.x1)
+    if (c.left.x0 < c.left.x1) {
+        if (c.left.x1 - c.left.x0 <= PEL_SMOOTH_PIXELS)
+            crossed[0] = c.left;
         pel_smooth_cover(&c, &k->of.batch);
+    }
     k->rest = c.left;
 }

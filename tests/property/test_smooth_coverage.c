@@ -323,3 +323,18 @@ TEST(tiles_add_up)
         }
     }
 }
+
+/* A broken promise covers something inside of its box, and is no undefined
+ * behaviour: here neither side crosses some row. */
+TEST(outlines_that_are_not_convex)
+{
+    static const struct pel_point v[] = {{1659, 8388352}, {5405603, -902},
+                                         {8480, -623},    {23910, -3031589},
+                                         {7198, 26725},   {-54081, 11283}};
+    const struct pel_rect bounds = {13264, 24136, 13274, 24150};
+    struct pel_surface window;
+    assert_int_equal(
+        pel_surface_init(&window, &pel_gray8, pixels, sizeof pixels, &bounds),
+        PEL_OK);
+    pel_smooth_convex(&window, v, 6, &white.paint);
+}

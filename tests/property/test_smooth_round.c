@@ -1,6 +1,7 @@
 /* Smooth discs and what is made of them against their exact area; tiles,
  * mirrored pictures and complements. */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "core/smooth/smooth_arc.h"
@@ -302,5 +303,47 @@ TEST(mirrors)
             if (pixels[i] != others[SIZE * SIZE - 1 - i])
                 fail_msg("pixel %d: %d and %d, %s", i, pixels[i],
                          others[SIZE * SIZE - 1 - i], text_of(&s));
+    }
+}
+
+static void print(const void *value)
+{
+    printf("%s", text_of(value));
+}
+
+/* Shapes that touch the sides of their surface, in memory of its own: the
+ * address sanitizer sees a pixel beside it that is read, though nothing of it
+ * changes. */
+TEST(touches)
+{
+    static const struct pel_format *const formats[] = {
+        &pel_rgb565_le, &pel_rgb565_be, &pel_bgr565_le};
+    for (struct cases c = cases_of(20000); cases_next(&c);) {
+        const int32_t width = random_between(&c.random, 1, SIZE);
+        const int32_t height = random_between(&c.random, 1, 8);
+        const int32_t y = random_between(&c.random, -4, SIZE / 2);
+        const struct pel_rect b = {0, y, width, y + height};
+        struct round s = {DISC, {0, 0}, {0, 0}, 0, 0, 0, 0};
+        s.kind = random_word(&c.random) % KINDS;
+        s.radius = random_between(&c.random, 0, PEL_PX(width)) & ~127;
+        s.inner = random_between(&c.random, 0, s.radius);
+        s.center.x = s.kind == ROUNDED ? 0 : s.radius;
+        s.center.y = random_between(&c.random, PEL_PX(y), PEL_PX(y + height));
+        s.to.x = random_between(&c.random, 0, PEL_PX(width));
+        s.to.y = s.center.y + random_between(&c.random, 0, PEL_PX(height));
+        s.from = random_between(&c.random, 0, 65535);
+        s.turn = random_between(&c.random, 0, 65536);
+        const size_t size = (size_t)(2 * width * height);
+        void *const memory = malloc(size);
+        struct pel_surface surface;
+        assert_non_null(memory);
+        memset(memory, 0x55, size);
+        cases_keep(print, &s, sizeof s);
+        assert_int_equal(pel_surface_init(&surface,
+                                          formats[random_word(&c.random) % 3],
+                                          memory, size, &b),
+                         PEL_OK);
+        draw(&surface, &s);
+        free(memory);
     }
 }
