@@ -332,9 +332,9 @@ TEST(outlines_that_are_not_convex)
                                          {8480, -623},    {23910, -3031589},
                                          {7198, 26725},   {-54081, 11283}};
     const struct pel_rect bounds = {13264, 24136, 13274, 24150};
-    struct pel_surface window;
+    struct pel_surface screen;
     assert_int_equal(
-        pel_surface_init(&window, &pel_gray8, pixels, sizeof pixels, &bounds),
+        pel_surface_init(&screen, &pel_gray8, pixels, sizeof pixels, &bounds),
         PEL_OK);
-    pel_smooth_convex(&window, v, 6, &white.paint);
+    pel_smooth_convex(&screen, v, 6, &white.paint);
 }
