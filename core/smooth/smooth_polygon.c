@@ -1,6 +1,5 @@
 #include "smooth_polygon.h"
 
-#include "smooth_part.h"
 #include "smooth_sweep.h"
 
 typedef char pel_smooth_polygon_fits[PEL_SMOOTH_POLYGON_SCRATCH_SIZE(1, 0) >=
@@ -20,146 +19,6 @@ size_t pel_smooth_polygon_scratch_size(int32_t n, int32_t width)
     return PEL_SMOOTH_POLYGON_SCRATCH_SIZE(n, width);
 }
 
-/* False: it touches no row of the clip, or has no height. One that is right of
- * the clip cuts rows where it ends and where it crosses others, and so rounds
- * the areas of what is left of it. */
-static bool is_seen(const struct pel_rect *clip, const struct pel_point *a,
-                    const struct pel_point *b)
-{
-    return a->y < b->y && b->y > PEL_PX(clip->y0) && a->y < PEL_PX(clip->y1);
-}
-
-/* x at a row's top, `below` sub-pixels below the edge's: above it by up to 255,
- * or further down by less than the edge is high, so products are below 2^57.
- * Both ways give floor(step below / 256). */
-static int64_t x_in(const struct pel_point *a, int64_t step, int32_t below)
-{
-    const int64_t at = pel_smooth_wide(a->x);
-    if (below < 0)
-        return at + (int64_t)pel_times((uint64_t)(step >> 8), below) +
-               (((int32_t)(step & 255) * below) >> 8);
-    return at + ((int64_t)pel_times((uint64_t)step, below) >> 8);
-}
-
-/* Behind those that begin above. */
-static void place(struct pel_smooth_sweep *w, int32_t edge)
-{
-    int32_t i = w->count++;
-    for (; i > 0 && w->edge[w->order[i - 1]].top > w->edge[edge].top; i--)
-        w->order[i] = w->order[i - 1];
-    w->order[i] = edge;
-}
-
-static void add_edge(struct pel_smooth_sweep *w, const struct pel_point *a,
-                     const struct pel_point *b, int32_t winding)
-{
-    const struct pel_rect *const clip = &w->smooth.target->clip;
-    struct pel_smooth_edge *const e = &w->edge[w->count];
-    const int32_t row = pel_max(pel_pixel_of(a->y), clip->y0);
-    if (!is_seen(clip, a, b))
-        return;
-    e->step = pel_smooth_step(a, b);
-    e->at = x_in(a, e->step, PEL_PX(row) - a->y);
-    e->rise = pel_smooth_rise(a, b);
-    e->top = a->y;
-    e->bottom = b->y;
-    e->winding = winding;
-    place(w, w->count);
-}
-
-/* How many are 0, from the first on. */
-static int32_t zeros(const int32_t *sum, int32_t n)
-{
-    int32_t i = 0;
-    while (n - i >= 4 && (sum[i] | sum[i + 1] | sum[i + 2] | sum[i + 3]) == 0)
-        i += 4;
-    while (i < n && sum[i] == 0)
-        i++;
-    return i;
-}
-
-/* What a sum says, which then is 0. */
-static int32_t take_sum(int32_t *sum)
-{
-    const int32_t value = *sum;
-    *sum = 0;
-    return value;
-}
-
-/* Where no right border lies inside the clip the row goes on to its end. */
-static void paint_row(struct pel_smooth_sweep *w, int32_t y)
-{
-    const struct pel_rect *const clip = &w->smooth.target->clip;
-    struct pel_smooth_part part;
-    struct pel_span run = {w->lo, w->lo};
-    int32_t area = 1 << 21, coverage = 0;
-    pel_smooth_part_begin(&part, run.x0, y);
-    for (; run.x0 < clip->x1 && (run.x0 < w->end || coverage > 0);
-         run.x0 = run.x1) {
-        int32_t *const sum = &w->sum[run.x0 - clip->x0];
-        area += take_sum(sum);
-        coverage = pel_max(0, pel_min(area >> 22, 255));
-        const int32_t left = pel_min(w->end, clip->x1) - run.x0 - 1;
-        run.x1 = left < 0 ? clip->x1 : run.x0 + 1 + zeros(sum + 1, left);
-        pel_smooth_collect(&w->smooth, &part, &run, coverage);
-    }
-    w->sum[run.x0 - clip->x0] = 0;
-    pel_smooth_flush(&w->smooth, &part, run.x0);
-}
-
-/* Edges that begin above the row's end become active. */
-static void enter(struct pel_smooth_sweep *w, int32_t bottom)
-{
-    while (w->active < w->count && w->edge[w->order[w->active]].top < bottom)
-        w->active++;
-}
-
-/* Moves on to the row below; edges that end above it are dropped. */
-static void advance(struct pel_smooth_sweep *w, int32_t bottom)
-{
-    int32_t kept = 0, i = 0;
-    for (; i < w->active; i++) {
-        struct pel_smooth_edge *const e = &w->edge[w->order[i]];
-        e->at += e->step;
-        if (e->bottom > bottom)
-            w->order[kept++] = w->order[i];
-    }
-    w->active = kept;
-    if (kept < i) {
-        for (; i < w->count; i++)
-            w->order[kept++] = w->order[i];
-        w->count = kept;
-    }
-}
-
-static void sweep_row(struct pel_smooth_sweep *w, int32_t y)
-{
-    enter(w, PEL_PX(y) + 256);
-    w->lo = INT32_MAX;
-    w->end = INT32_MIN;
-    for (int32_t t = 0; w->active > 0 && t < PEL_SMOOTH_ROW;)
-        t = pel_smooth_add_part(w, y, t);
-    if (w->lo < w->end)
-        paint_row(w, y);
-    advance(w, PEL_PX(y) + 256);
-}
-
-static void sweep_rows(struct pel_smooth_sweep *w)
-{
-    const struct pel_rect *const clip = &w->smooth.target->clip;
-    int32_t y = clip->y0;
-    if (w->count > 0)
-        y = pel_max(y, pel_pixel_of(w->edge[w->order[0]].top));
-    for (; y < clip->y1 && w->count > 0; y++)
-        sweep_row(w, y);
-}
-
-static void clear(int32_t *sum, const struct pel_rect *clip)
-{
-    for (int32_t x = clip->x0; x <= clip->x1; x++)
-        *sum++ = 0;
-}
-
 /* Is all of it left of the clip, or all right of it? */
 static bool is_beside(const struct pel_rect *clip,
                       const struct pel_polygon_shape *p)
@@ -177,10 +36,7 @@ static void add_edges(struct pel_smooth_sweep *w,
 {
     const struct pel_point *a = &p->v[p->n - 1];
     for (int32_t i = 0; i < p->n; a = &p->v[i++])
-        if (a->y < p->v[i].y)
-            add_edge(w, a, &p->v[i], 1);
-        else
-            add_edge(w, &p->v[i], a, -1);
+        pel_smooth_sweep_add(w, a, &p->v[i]);
 }
 
 static enum pel_status check(const struct pel_surface *surface,
@@ -207,15 +63,12 @@ enum pel_status pel_smooth_polygon(const struct pel_surface *surface,
     if (polygon->n < 3)
         return PEL_OK;
     const enum pel_status status = check(surface, polygon, scratch, size);
-    struct pel_smooth_sweep w = {
-        .edge = scratch, .mask = polygon->rule == PEL_EVEN_ODD ? 1 : -1};
+    struct pel_smooth_sweep w;
     if (status != PEL_OK || !pel_smooth_begin(&w.smooth, surface, paint) ||
         pel_rect_empty(&surface->clip) || is_beside(&surface->clip, polygon))
         return status;
-    w.order = (int32_t *)(void *)(w.edge + polygon->n);
-    w.sum = w.order + polygon->n;
-    clear(w.sum, &surface->clip);
+    pel_smooth_sweep_begin(&w, scratch, polygon->n, polygon->rule);
     add_edges(&w, polygon);
-    sweep_rows(&w);
+    pel_smooth_sweep_paint(&w);
     return PEL_OK;
 }

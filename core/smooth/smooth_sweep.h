@@ -3,6 +3,7 @@
 #ifndef PEL_SMOOTH_SMOOTH_SWEEP_H
 #define PEL_SMOOTH_SMOOTH_SWEEP_H
 
+#include "../raster/polygon.h"
 #include "smooth.h"
 #include "smooth_edge.h"
 
@@ -27,9 +28,25 @@ struct pel_smooth_sweep {
     int32_t *sum; /* differences of areas from pixel to pixel, in 2^-22 of 1/255
                      px^2; from the clip's left side on, one more at the end */
     int32_t count, active;
+    int32_t room;    /* edges that there is memory for */
     int32_t mask;    /* of the winding number: 1 even-odd, -1 non-zero */
     int32_t lo, end; /* px that `sum` is not 0 in */
 };
+
+/* After pel_smooth_begin of w->smooth: in scratch memory for the edges and the
+ * row that PEL_SMOOTH_POLYGON_SCRATCH_SIZE counts. Clears the sums; after a
+ * sweep they are 0 again. */
+void pel_smooth_sweep_begin(struct pel_smooth_sweep *w, void *scratch,
+                            int32_t room, enum pel_fill_rule rule);
+
+/* Adds the edge from a to b, of legal points, if it touches a row of the clip.
+ * False: there is no room for it. */
+bool pel_smooth_sweep_add(struct pel_smooth_sweep *w, const struct pel_point *a,
+                          const struct pel_point *b);
+
+/* Paints what is inside the edges of a closed outline. There are none any more
+ * then. */
+void pel_smooth_sweep_paint(struct pel_smooth_sweep *w);
 
 /* Adds what is inside from t on, down to the next cut of row y: where that is.
  */

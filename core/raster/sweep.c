@@ -1,0 +1,127 @@
+#include "sweep.h"
+
+#include "collect.h"
+
+bool pel_sweep_add(struct pel_sweep *w, const struct pel_point *a,
+                   const struct pel_point *b, const struct pel_rect *rows)
+{
+    int32_t winding = 1;
+    if (a->y > b->y) {
+        const struct pel_point *t = a;
+        a = b;
+        b = t;
+        winding = -1;
+    }
+    const int32_t first = pel_max(pel_first_pixel(a->y), rows->y0);
+    const int32_t end = pel_min(pel_first_pixel(b->y), rows->y1);
+    if (first >= end)
+        return true;
+    if (w->count == w->room)
+        return false;
+    struct pel_sweep_side *const s = &w->side[w->count];
+    s->winding = winding;
+    s->first = first;
+    s->end = end;
+    pel_edge_start(&s->edge, a, b, first);
+    w->order[w->count] = w->count;
+    w->count++;
+    return true;
+}
+
+enum key { BY_FIRST_ROW, BY_X };
+
+static int32_t key_of(const struct pel_sweep_side *side, enum key key)
+{
+    return key == BY_X ? side->edge.x : side->first;
+}
+
+/* Shell sort of sides that are mixed, with gaps of 2^k - 1: O(n^1.5) moves.
+ * From row to row few change places, so that insertion sort will do: no two
+ * sides do it twice. */
+static PEL_INLINE_KINDS void sort(struct pel_sweep *w, int32_t count,
+                                  enum key key, bool mixed)
+{
+    int32_t gap = 1;
+    while (mixed && gap < count / 4)
+        gap = 2 * gap + 1;
+    for (; gap; gap /= 2)
+        for (int32_t i = gap; i < count; i++) {
+            const int32_t side = w->order[i], k = key_of(&w->side[side], key);
+            int32_t j = i;
+            for (; j >= gap && key_of(&w->side[w->order[j - gap]], key) > k;
+                 j -= gap)
+                w->order[j] = w->order[j - gap];
+            w->order[j] = side;
+        }
+}
+
+static int32_t first_of(const struct pel_sweep *w, int32_t i)
+{
+    return w->side[w->order[i]].first;
+}
+
+/* Sides that begin in row y become active; false when there are none. */
+static PEL_NOINLINE_32 bool enter(struct pel_sweep *w, int32_t y)
+{
+    const int32_t next = w->next;
+    for (; w->next < w->count && first_of(w, w->next) == y; w->next++) {
+        const int32_t side = w->order[w->next];
+        w->order[w->next] = w->order[w->active];
+        w->order[w->active++] = side;
+    }
+    return w->next > next;
+}
+
+/* Spans begin where a side enters the polygon and end where one leaves it. */
+static void emit_row(const struct pel_sweep *w, struct pel_collector *c,
+                     int32_t y)
+{
+    int32_t winding = 0, start = 0;
+    for (int32_t i = 0; i < w->active; i++) {
+        const struct pel_sweep_side *s = &w->side[w->order[i]];
+        bool outside = (winding & w->mask) == 0;
+        winding += s->winding;
+        if (outside)
+            start = s->edge.x;
+        else if ((winding & w->mask) == 0)
+            pel_collect_clipped(c, y, start, s->edge.x);
+    }
+}
+
+/* Moves on to row y; sides that end there are dropped. */
+static PEL_NOINLINE void advance(struct pel_sweep *w, int32_t y)
+{
+    int32_t kept = 0;
+    for (int32_t i = 0; i < w->active; i++) {
+        struct pel_sweep_side *s = &w->side[w->order[i]];
+        if (s->end == y)
+            continue;
+        pel_edge_next(&s->edge);
+        w->order[kept++] = w->order[i];
+    }
+    w->active = kept;
+}
+
+static void sweep_rows(struct pel_sweep *w, struct pel_collector *c)
+{
+    int32_t y = 0;
+    while (w->active || w->next < w->count) {
+        if (w->active == 0)
+            y = first_of(w, w->next);
+        const bool mixed = enter(w, y);
+        sort(w, w->active, BY_X, mixed);
+        emit_row(w, c, y);
+        advance(w, ++y);
+    }
+}
+
+void pel_sweep_paint(struct pel_sweep *w, const struct pel_surface *surface,
+                     const struct pel_paint *paint)
+{
+    struct pel_collector c;
+    sort(w, w->count, BY_FIRST_ROW, true);
+    pel_collect_begin(&c, surface, paint);
+    sweep_rows(w, &c);
+    pel_collect_end(&c);
+    w->count = w->next = 0;
+}

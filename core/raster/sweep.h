@@ -1,0 +1,47 @@
+/* The sweep that fills outlines: it takes their sides one by one, in any order,
+ * and paints the pixels whose centre is inside, row by row. For those who write
+ * a shape; polygon.h and path/path.h have what firmware calls. */
+#ifndef PEL_RASTER_SWEEP_H
+#define PEL_RASTER_SWEEP_H
+
+#include "edge.h"
+#include "polygon.h"
+
+/* One side of the outline, from its first visible row on. */
+struct pel_sweep_side {
+    struct pel_edge edge;
+    int32_t first, end; /* rows, half-open */
+    int32_t winding;    /* +1 downwards, -1 upwards */
+};
+
+/* order[0, active) are the sides that cross the present row, by x; order[next,
+ * count) those to come, by first row. active <= next always. */
+struct pel_sweep {
+    struct pel_sweep_side *side;
+    int32_t *order;
+    int32_t count, next, active;
+    int32_t mask; /* of the winding number: 1 even-odd, -1 non-zero */
+    int32_t room; /* sides that there is memory for */
+};
+
+static inline void pel_sweep_begin(struct pel_sweep *w, void *scratch,
+                                   int32_t room, enum pel_fill_rule rule)
+{
+    w->side = scratch;
+    w->order = (int32_t *)(void *)(w->side + room);
+    w->count = w->next = w->active = 0;
+    w->mask = rule == PEL_EVEN_ODD ? 1 : -1;
+    w->room = room;
+}
+
+/* Adds the side from a to b, of legal points, if it crosses the centres of rows
+ * from y0 to y1 - 1. False: there is no room for it. */
+bool pel_sweep_add(struct pel_sweep *w, const struct pel_point *a,
+                   const struct pel_point *b, const struct pel_rect *rows);
+
+/* Paints what is inside the sides of a closed outline, no pixel twice. Their
+ * rows must lie inside the clip. There are no sides any more then. */
+void pel_sweep_paint(struct pel_sweep *w, const struct pel_surface *surface,
+                     const struct pel_paint *paint);
+
+#endif

@@ -1,0 +1,168 @@
+/* The rows of a sweep: which edges cross them, and their pixels. */
+#include "smooth_part.h"
+#include "smooth_sweep.h"
+
+/* False: it touches no row of the clip, or has no height. One that is right of
+ * the clip cuts rows where it ends and where it crosses others, and so rounds
+ * the areas of what is left of it. */
+static bool is_seen(const struct pel_rect *clip, const struct pel_point *a,
+                    const struct pel_point *b)
+{
+    return a->y < b->y && b->y > PEL_PX(clip->y0) && a->y < PEL_PX(clip->y1);
+}
+
+/* x at a row's top, `below` sub-pixels below the edge's: above it by up to 255,
+ * or further down by less than the edge is high, so products are below 2^57.
+ * Both ways give floor(step below / 256). */
+static int64_t x_in(const struct pel_point *a, int64_t step, int32_t below)
+{
+    const int64_t at = pel_smooth_wide(a->x);
+    if (below < 0)
+        return at + (int64_t)pel_times((uint64_t)(step >> 8), below) +
+               (((int32_t)(step & 255) * below) >> 8);
+    return at + ((int64_t)pel_times((uint64_t)step, below) >> 8);
+}
+
+/* Behind those that begin above. */
+static void place(struct pel_smooth_sweep *w, int32_t edge)
+{
+    int32_t i = w->count++;
+    for (; i > 0 && w->edge[w->order[i - 1]].top > w->edge[edge].top; i--)
+        w->order[i] = w->order[i - 1];
+    w->order[i] = edge;
+}
+
+/* From a down to b. */
+static void add_edge(struct pel_smooth_sweep *w, const struct pel_point *a,
+                     const struct pel_point *b, int32_t winding)
+{
+    struct pel_smooth_edge *const e = &w->edge[w->count];
+    const int32_t row = pel_max(pel_pixel_of(a->y), w->smooth.target->clip.y0);
+    e->step = pel_smooth_step(a, b);
+    e->at = x_in(a, e->step, PEL_PX(row) - a->y);
+    e->rise = pel_smooth_rise(a, b);
+    e->top = a->y;
+    e->bottom = b->y;
+    e->winding = winding;
+    place(w, w->count);
+}
+
+bool pel_smooth_sweep_add(struct pel_smooth_sweep *w, const struct pel_point *a,
+                          const struct pel_point *b)
+{
+    const bool down = a->y < b->y;
+    const struct pel_point *const top = down ? a : b;
+    const struct pel_point *const bottom = down ? b : a;
+    if (!is_seen(&w->smooth.target->clip, top, bottom))
+        return true;
+    if (w->count == w->room)
+        return false;
+    add_edge(w, top, bottom, down ? 1 : -1);
+    return true;
+}
+
+/* How many are 0, from the first on. */
+static int32_t zeros(const int32_t *sum, int32_t n)
+{
+    int32_t i = 0;
+    while (n - i >= 4 && (sum[i] | sum[i + 1] | sum[i + 2] | sum[i + 3]) == 0)
+        i += 4;
+    while (i < n && sum[i] == 0)
+        i++;
+    return i;
+}
+
+/* What a sum says, which then is 0. */
+static int32_t take_sum(int32_t *sum)
+{
+    const int32_t value = *sum;
+    *sum = 0;
+    return value;
+}
+
+/* Where no right border lies inside the clip the row goes on to its end. */
+static void paint_row(struct pel_smooth_sweep *w, int32_t y)
+{
+    const struct pel_rect *const clip = &w->smooth.target->clip;
+    struct pel_smooth_part part;
+    struct pel_span run = {w->lo, w->lo};
+    int32_t area = 1 << 21, coverage = 0;
+    pel_smooth_part_begin(&part, run.x0, y);
+    for (; run.x0 < clip->x1 && (run.x0 < w->end || coverage > 0);
+         run.x0 = run.x1) {
+        int32_t *const sum = &w->sum[run.x0 - clip->x0];
+        area += take_sum(sum);
+        coverage = pel_max(0, pel_min(area >> 22, 255));
+        const int32_t left = pel_min(w->end, clip->x1) - run.x0 - 1;
+        run.x1 = left < 0 ? clip->x1 : run.x0 + 1 + zeros(sum + 1, left);
+        pel_smooth_collect(&w->smooth, &part, &run, coverage);
+    }
+    w->sum[run.x0 - clip->x0] = 0;
+    pel_smooth_flush(&w->smooth, &part, run.x0);
+}
+
+/* Edges that begin above the row's end become active. */
+static void enter(struct pel_smooth_sweep *w, int32_t bottom)
+{
+    while (w->active < w->count && w->edge[w->order[w->active]].top < bottom)
+        w->active++;
+}
+
+/* Moves on to the row below; edges that end above it are dropped. */
+static void advance(struct pel_smooth_sweep *w, int32_t bottom)
+{
+    int32_t kept = 0, i = 0;
+    for (; i < w->active; i++) {
+        struct pel_smooth_edge *const e = &w->edge[w->order[i]];
+        e->at += e->step;
+        if (e->bottom > bottom)
+            w->order[kept++] = w->order[i];
+    }
+    w->active = kept;
+    if (kept < i) {
+        for (; i < w->count; i++)
+            w->order[kept++] = w->order[i];
+        w->count = kept;
+    }
+}
+
+static void sweep_row(struct pel_smooth_sweep *w, int32_t y)
+{
+    enter(w, PEL_PX(y) + 256);
+    w->lo = INT32_MAX;
+    w->end = INT32_MIN;
+    for (int32_t t = 0; w->active > 0 && t < PEL_SMOOTH_ROW;)
+        t = pel_smooth_add_part(w, y, t);
+    if (w->lo < w->end)
+        paint_row(w, y);
+    advance(w, PEL_PX(y) + 256);
+}
+
+void pel_smooth_sweep_paint(struct pel_smooth_sweep *w)
+{
+    const struct pel_rect *const clip = &w->smooth.target->clip;
+    int32_t y = clip->y0;
+    if (w->count > 0)
+        y = pel_max(y, pel_pixel_of(w->edge[w->order[0]].top));
+    for (; y < clip->y1 && w->count > 0; y++)
+        sweep_row(w, y);
+    w->count = w->active = 0;
+}
+
+static void clear(int32_t *sum, const struct pel_rect *clip)
+{
+    for (int32_t x = clip->x0; x <= clip->x1; x++)
+        *sum++ = 0;
+}
+
+void pel_smooth_sweep_begin(struct pel_smooth_sweep *w, void *scratch,
+                            int32_t room, enum pel_fill_rule rule)
+{
+    w->edge = scratch;
+    w->order = (int32_t *)(void *)(w->edge + room);
+    w->sum = w->order + room;
+    w->count = w->active = 0;
+    w->room = room;
+    w->mask = rule == PEL_EVEN_ODD ? 1 : -1;
+    clear(w->sum, &w->smooth.target->clip);
+}
