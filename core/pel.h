@@ -61,6 +61,9 @@
 #include "smooth/smooth_rounded_rectangle.h"
 #include "smooth/smooth_thick_line.h"
 
+#include "path/path.h"
+#include "path/smooth_path.h"
+
 #include "outline/outline.h"
 
 #include "hit/hit.h"

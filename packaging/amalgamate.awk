@@ -16,7 +16,7 @@
 # a file calls more than once are PEL_SHARED in their headers, and shared here.
 
 BEGIN {
-    OPTIONAL = "^(hit|image|outline|paint|scene|smooth)$"
+    OPTIONAL = "^(hit|image|outline|paint|path|scene|smooth)$"
     expand("core/pel.h", 0)
     if (header) {
         print "#ifndef PEL_INLINE\n#define PEL_INLINE inline\n#endif"

@@ -60,7 +60,7 @@ $(T)/$1/libsupport.a: $(TEST_SUPPORT:%.c=$(T)/$1/%.o) $(DRIVERS:%.c=$(T)/$1/%.o)
 	rm -f $$@
 	$$(AR) rcs $$@ $$^
 $(T)/$1/tests/%: $(T)/$1/tests/%.o $(T)/$1/libsupport.a $(T)/$1/libpel.a
-	$$(CC) $$(TEST_FLAGS_$1) $$^ -lcmocka -o $$@
+	$$(CC) $$(TEST_FLAGS_$1) $$^ -lcmocka -lm -o $$@
 -include $$(wildcard $(T)/$1/*/*.d $(T)/$1/*/*/*.d)
 endef
 $(foreach b,$(TEST_BUILDS),$(eval $(call test_build,$b)))

@@ -90,5 +90,6 @@ int main(void)
     hits_report();
     matrix_report();
     fills_report();
+    paths_report();
     return !shapes_report();
 }

@@ -12,6 +12,7 @@ void report(const char *name, int32_t parameter, int32_t time, uint32_t per);
 void fills_report(void);
 void hits_report(void);
 void matrix_report(void);
+void paths_report(void);
 void textures_report(void);
 
 /* False: a bound does not hold. */

@@ -1,6 +1,7 @@
 #include "hit.h"
 
 #include "../base/trig.h"
+#include "../raster/crossing.h"
 #include "../round/angle_range.h"
 
 /* Sets *p to the centre of pixel (x, y); false when that is out of range. */
@@ -175,30 +176,6 @@ bool pel_hit_ellipse(const struct pel_ellipse_shape *ellipse, int32_t x,
            (left.high == right.high && left.low <= right.low);
 }
 
-/* +1 or -1 when the side from a to b crosses the row of p, downwards or
- * upwards, on or left of p; else 0: the rule of raster/edge.h. The products are
- * below 2^49. */
-static int32_t crossing(const struct pel_point *a, const struct pel_point *b,
-                        struct pel_point p)
-{
-    int32_t winding = 1;
-    if (a->y > b->y) {
-        const struct pel_point *t = a;
-        a = b;
-        b = t;
-        winding = -1;
-    }
-    if (p.y < a->y || p.y >= b->y)
-        return 0;
-    if (p.x < a->x && p.x < b->x)
-        return 0;
-    if (p.x >= a->x && p.x >= b->x)
-        return winding;
-    int64_t right = pel_product(p.x - a->x, b->y - a->y);
-    int64_t edge = pel_product(p.y - a->y, b->x - a->x);
-    return right >= edge ? winding : 0;
-}
-
 bool pel_hit_polygon(const struct pel_polygon_shape *polygon, int32_t x,
                      int32_t y)
 {
@@ -210,7 +187,7 @@ bool pel_hit_polygon(const struct pel_polygon_shape *polygon, int32_t x,
     int32_t winding = 0;
     const struct pel_point *previous = &v[n - 1];
     for (int32_t i = 0; i < n; i++) {
-        winding += crossing(previous, &v[i], p);
+        winding += pel_crossing(previous, &v[i], p);
         previous = &v[i];
     }
     return polygon->rule == PEL_EVEN_ODD ? winding & 1 : winding != 0;

@@ -57,7 +57,8 @@ enum pel_status pel_polygon(const struct pel_surface *surface,
     pel_sweep_begin(&w, scratch, polygon->n, polygon->rule);
     const struct pel_point *previous = &polygon->v[polygon->n - 1];
     for (int32_t i = 0; i < polygon->n; i++) {
-        pel_sweep_add(&w, previous, &polygon->v[i], &surface->clip);
+        pel_sweep_add(&w, previous, &polygon->v[i], surface->clip.y0,
+                      surface->clip.y1);
         previous = &polygon->v[i];
     }
     pel_sweep_paint(&w, surface, paint);

@@ -3,7 +3,7 @@
 #include "collect.h"
 
 bool pel_sweep_add(struct pel_sweep *w, const struct pel_point *a,
-                   const struct pel_point *b, const struct pel_rect *rows)
+                   const struct pel_point *b, int32_t y0, int32_t y1)
 {
     int32_t winding = 1;
     if (a->y > b->y) {
@@ -12,8 +12,8 @@ bool pel_sweep_add(struct pel_sweep *w, const struct pel_point *a,
         b = t;
         winding = -1;
     }
-    const int32_t first = pel_max(pel_first_pixel(a->y), rows->y0);
-    const int32_t end = pel_min(pel_first_pixel(b->y), rows->y1);
+    const int32_t first = pel_max(pel_first_pixel(a->y), y0);
+    const int32_t end = pel_min(pel_first_pixel(b->y), y1);
     if (first >= end)
         return true;
     if (w->count == w->room)

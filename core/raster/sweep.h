@@ -37,7 +37,7 @@ static inline void pel_sweep_begin(struct pel_sweep *w, void *scratch,
 /* Adds the side from a to b, of legal points, if it crosses the centres of rows
  * from y0 to y1 - 1. False: there is no room for it. */
 bool pel_sweep_add(struct pel_sweep *w, const struct pel_point *a,
-                   const struct pel_point *b, const struct pel_rect *rows);
+                   const struct pel_point *b, int32_t y0, int32_t y1);
 
 /* Paints what is inside the sides of a closed outline, no pixel twice. Their
  * rows must lie inside the clip. There are no sides any more then. */

@@ -30,17 +30,18 @@ struct pel_smooth_sweep {
     int32_t count, active;
     int32_t room;    /* edges that there is memory for */
     int32_t mask;    /* of the winding number: 1 even-odd, -1 non-zero */
+    int32_t y0, y1;  /* rows that are drawn */
     int32_t lo, end; /* px that `sum` is not 0 in */
 };
 
 /* After pel_smooth_begin of w->smooth: in scratch memory for the edges and the
  * row that PEL_SMOOTH_POLYGON_SCRATCH_SIZE counts. Clears the sums; after a
- * sweep they are 0 again. */
+ * sweep they are 0 again. The rows are those of the clip. */
 void pel_smooth_sweep_begin(struct pel_smooth_sweep *w, void *scratch,
                             int32_t room, enum pel_fill_rule rule);
 
-/* Adds the edge from a to b, of legal points, if it touches a row of the clip.
- * False: there is no room for it. */
+/* Adds the edge from a to b, of legal points, if it touches a row that is
+ * drawn. False: there is no room for it. */
 bool pel_smooth_sweep_add(struct pel_smooth_sweep *w, const struct pel_point *a,
                           const struct pel_point *b);
 

@@ -2,13 +2,13 @@
 #include "smooth_part.h"
 #include "smooth_sweep.h"
 
-/* False: it touches no row of the clip, or has no height. One that is right of
+/* False: it touches no row, or has no height. One that is right of
  * the clip cuts rows where it ends and where it crosses others, and so rounds
  * the areas of what is left of it. */
-static bool is_seen(const struct pel_rect *clip, const struct pel_point *a,
+static bool is_seen(const struct pel_smooth_sweep *w, const struct pel_point *a,
                     const struct pel_point *b)
 {
-    return a->y < b->y && b->y > PEL_PX(clip->y0) && a->y < PEL_PX(clip->y1);
+    return a->y < b->y && b->y > PEL_PX(w->y0) && a->y < PEL_PX(w->y1);
 }
 
 /* x at a row's top, `below` sub-pixels below the edge's: above it by up to 255,
@@ -37,7 +37,7 @@ static void add_edge(struct pel_smooth_sweep *w, const struct pel_point *a,
                      const struct pel_point *b, int32_t winding)
 {
     struct pel_smooth_edge *const e = &w->edge[w->count];
-    const int32_t row = pel_max(pel_pixel_of(a->y), w->smooth.target->clip.y0);
+    const int32_t row = pel_max(pel_pixel_of(a->y), w->y0);
     e->step = pel_smooth_step(a, b);
     e->at = x_in(a, e->step, PEL_PX(row) - a->y);
     e->rise = pel_smooth_rise(a, b);
@@ -53,7 +53,7 @@ bool pel_smooth_sweep_add(struct pel_smooth_sweep *w, const struct pel_point *a,
     const bool down = a->y < b->y;
     const struct pel_point *const top = down ? a : b;
     const struct pel_point *const bottom = down ? b : a;
-    if (!is_seen(&w->smooth.target->clip, top, bottom))
+    if (!is_seen(w, top, bottom))
         return true;
     if (w->count == w->room)
         return false;
@@ -140,11 +140,10 @@ static void sweep_row(struct pel_smooth_sweep *w, int32_t y)
 
 void pel_smooth_sweep_paint(struct pel_smooth_sweep *w)
 {
-    const struct pel_rect *const clip = &w->smooth.target->clip;
-    int32_t y = clip->y0;
+    int32_t y = w->y0;
     if (w->count > 0)
         y = pel_max(y, pel_pixel_of(w->edge[w->order[0]].top));
-    for (; y < clip->y1 && w->count > 0; y++)
+    for (; y < w->y1 && w->count > 0; y++)
         sweep_row(w, y);
     w->count = w->active = 0;
 }
@@ -164,5 +163,7 @@ void pel_smooth_sweep_begin(struct pel_smooth_sweep *w, void *scratch,
     w->count = w->active = 0;
     w->room = room;
     w->mask = rule == PEL_EVEN_ODD ? 1 : -1;
+    w->y0 = w->smooth.target->clip.y0;
+    w->y1 = w->smooth.target->clip.y1;
     clear(w->sum, &w->smooth.target->clip);
 }

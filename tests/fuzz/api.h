@@ -25,6 +25,8 @@ void api_surface(struct api *a, int slot);
 void api_paint(struct api *a);
 void api_shape(struct api *a, const struct pel_surface *surface,
                const struct pel_paint *paint);
+void api_path(struct api *a, const struct pel_surface *surface,
+              const struct pel_paint *paint);
 void api_hit(struct api *a);
 void api_image(struct api *a, const struct pel_surface *surface,
                const struct pel_paint *paint);

@@ -122,6 +122,9 @@ static void step(struct api *a, uint32_t what)
     case 9:
         api_scene(a, s);
         break;
+    case 10:
+        api_path(a, s, p);
+        break;
     default:
         api_shape(a, s, p);
         break;

@@ -147,7 +147,7 @@ for cc in gcc clang; do
     tests/tools/layers_objects.sh size nm "$work/pel.o" || fail "pel.o by $cc"
 done
 all="-DPEL_FAST_FILLS=0"
-for part in HIT IMAGE OUTLINE SMOOTH SCENE PAINT; do
+for part in HIT IMAGE OUTLINE PATH SMOOTH SCENE PAINT; do
     all="$all -DPEL_WITH_$part=0"
     $CC -std=c99 $WARNINGS $all -fno-pie -c "$one/pel.c" -o "$work/less.o" &&
         tests/tools/layers_objects.sh size nm "$work/less.o" || fail "$all"

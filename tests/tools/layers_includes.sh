@@ -8,8 +8,8 @@ cd "$(dirname "$0")/../.."
 find core drivers port examples -name '*.[ch]' -o -name '*.inc' | sort | xargs awk '
     BEGIN {
         allow("core", "core/base core/format core/raster core/round" \
-              " core/smooth core/outline core/hit core/paint core/scene" \
-              " core/asset core/image core/fast")
+              " core/smooth core/path core/outline core/hit core/paint" \
+              " core/scene core/asset core/image core/fast")
         allow("core/base", "core")
         allow("core/format", "core core/base")
         allow("core/raster", "core core/base core/format")
@@ -18,6 +18,7 @@ find core drivers port examples -name '*.[ch]' -o -name '*.inc' | sort | xargs a
               " core/round")
         allow("core/smooth", "core core/base core/format core/raster" \
               " core/round")
+        allow("core/path", "core core/base core/raster core/smooth")
         allow("core/hit", "core core/base core/raster core/round")
         allow("core/paint", "core core/base core/format core/raster" \
               " core/round core/smooth")

@@ -1,0 +1,35 @@
+/* Smooth paths and strokes. */
+#ifndef PEL_PATH_SMOOTH_PATH_H
+#define PEL_PATH_SMOOTH_PATH_H
+
+#include "../smooth/smooth_polygon.h"
+#include "path.h"
+
+PEL_BEGIN_DECLS
+
+/* Bytes of scratch memory, aligned to 8, for so many sides in a row, as
+ * PEL_PATH_SCRATCH_SIZE counts them, on a surface whose clip is `width` px
+ * wide.
+ */
+#define PEL_SMOOTH_PATH_SCRATCH_SIZE(sides, width) \
+    PEL_SMOOTH_POLYGON_SCRATCH_SIZE(sides, width)
+
+/* The same outlines as their twins in path.h, painted by the part of each pixel
+ * that is inside, as pel_smooth_polygon does: within .5 + .02 k of 255, of k
+ * pieces of the border in the pixel, and so where a stroke crosses itself
+ * there, too. Errors are the same, and PEL_ERROR_SCRATCH where memory is not
+ * aligned to 8 or too small for the row of pixels. */
+enum pel_status pel_smooth_path_fill(const struct pel_surface *surface,
+                                     const struct pel_path_shape *shape,
+                                     const struct pel_paint *paint,
+                                     void *scratch, size_t size);
+enum pel_status pel_smooth_path_stroke(const struct pel_surface *surface,
+                                       const struct pel_path_shape *shape,
+                                       const struct pel_paint *paint,
+                                       void *scratch, size_t size);
+enum pel_status pel_smooth_polyline(const struct pel_surface *surface,
+                                    const struct pel_polyline_shape *line,
+                                    const struct pel_paint *paint,
+                                    void *scratch, size_t size);
+PEL_END_DECLS
+#endif

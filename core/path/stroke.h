@@ -1,0 +1,30 @@
+/* What a stroke along a path looks like. */
+#ifndef PEL_PATH_STROKE_H
+#define PEL_PATH_STROKE_H
+
+#include "../base/point.h"
+
+PEL_BEGIN_DECLS
+
+/* Its two ends: cut off, half of the width longer, or half a disc. */
+enum pel_cap { PEL_CAP_BUTT, PEL_CAP_SQUARE, PEL_CAP_ROUND };
+
+/* Where it turns: the corner cut off, both sides up to where they meet, or a
+ * part of a disc. */
+enum pel_join { PEL_JOIN_BEVEL, PEL_JOIN_MITER, PEL_JOIN_ROUND };
+
+/* A stroke covers what lies within half of its width, rounded down to 1/256 px,
+ * beside each line, and its joins and caps. Round ones are polygons within
+ * 1/128 px of the circle. A part of a path without length is a disc with round
+ * caps, a square with square ones, else nothing. Corners of the border are
+ * rounded to the nearest 1/256 px. */
+struct pel_stroke {
+    int32_t width; /* across, in 1/256 px: 0 to PEL_PX(32767) */
+    enum pel_cap cap;
+    enum pel_join join;
+    int32_t miter_limit; /* how far from a turn sides may meet, in 256ths of
+                            half of the width, 256 to 4,096; 0 is 1,024. Beyond
+                            that a corner is cut off. */
+};
+PEL_END_DECLS
+#endif

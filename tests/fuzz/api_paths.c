@@ -1,0 +1,85 @@
+/* Paths and strokes of any bytes, in little or much scratch memory. */
+#include "api.h"
+
+enum { VERBS = 8, POINTS = 3 * VERBS, MEMORY = 8192 };
+
+struct any_path {
+    uint8_t verbs[VERBS];
+    int16_t points16[2 * POINTS];
+    struct pel_point points[POINTS];
+    struct pel_path path;
+    struct pel_transform transform;
+    struct pel_path_shape shape;
+    struct pel_polyline_shape line;
+};
+
+static struct pel_stroke any_stroke(struct api *a)
+{
+    struct pel_stroke stroke;
+    stroke.width = input_number(&a->in);
+    stroke.cap = (enum pel_cap)input_below(&a->in, 4);
+    stroke.join = (enum pel_join)input_below(&a->in, 4);
+    stroke.miter_limit = input_number(&a->in);
+    return stroke;
+}
+
+static void take_points(struct api *a, struct any_path *p, bool wide)
+{
+    for (int32_t i = 0; i < p->path.point_count; i++) {
+        p->points[i] = api_point(a);
+        p->points16[2 * i] = (int16_t)p->points[i].x;
+        p->points16[2 * i + 1] = (int16_t)p->points[i].y;
+    }
+    if (wide)
+        p->path.points32 = &p->points[0].x;
+    else
+        p->path.points16 = p->points16;
+}
+
+static void take_path(struct api *a, struct any_path *p)
+{
+    const uint32_t how = input_byte(&a->in);
+    p->path = (struct pel_path){.verbs = p->verbs};
+    p->path.verb_count = (int32_t)input_below(&a->in, VERBS + 1);
+    p->path.point_count = (int32_t)input_below(&a->in, POINTS + 1);
+    for (int32_t i = 0; i < p->path.verb_count; i++)
+        p->verbs[i] = (uint8_t)input_below(&a->in, PEL_CLOSE + 2);
+    take_points(a, p, how & 1);
+    p->transform.xx = input_number(&a->in);
+    p->transform.xy = input_number(&a->in);
+    p->transform.yx = input_number(&a->in);
+    p->transform.yy = input_number(&a->in);
+    p->transform.at = api_point(a);
+    p->shape = (struct pel_path_shape){
+        .path = &p->path,
+        .transform = how & 2 ? &p->transform : NULL,
+        .rule = how & 4 ? PEL_EVEN_ODD : PEL_NON_ZERO,
+        .stroke = any_stroke(a),
+        .tolerance = how & 8 ? input_number(&a->in) : 0};
+    p->line = (struct pel_polyline_shape){p->points, p->path.point_count,
+                                          how & 16, p->shape.stroke};
+}
+
+void api_path(struct api *a, const struct pel_surface *surface,
+              const struct pel_paint *paint)
+{
+    static uint64_t scratch[MEMORY / 8];
+    const uint32_t kind = input_byte(&a->in);
+    const size_t size = input_word(&a->in) % (MEMORY + 1);
+    struct any_path p;
+    take_path(a, &p);
+    if (kind % 4 == 0)
+        (kind & 4 ? pel_smooth_path_fill : pel_path_fill)(surface, &p.shape,
+                                                          paint, scratch, size);
+    else if (kind % 4 == 1)
+        (kind & 4 ? pel_smooth_path_stroke
+                  : pel_path_stroke)(surface, &p.shape, paint, scratch, size);
+    else if (kind % 4 == 2)
+        (kind & 4 ? pel_smooth_polyline : pel_polyline)(surface, &p.line, paint,
+                                                        scratch, size);
+    else if (kind & 4)
+        pel_hit_path_fill(&p.shape, p.points[0].x, p.points[0].y);
+    else
+        pel_hit_path_stroke(&p.shape, p.line.n, (int32_t)size);
+    pel_hit_polyline(&p.line, p.line.n, 3);
+}
