@@ -1,6 +1,6 @@
 #!/bin/sh
-# methods.sh PEL-ATLAS PEL: the references agree, Pel keeps its promises in every
-# regime that takes little time, and what is printed is what is promised.
+# methods.sh PEL-ATLAS PEL: Pel keeps its promises in every regime that takes little
+# time, and what is printed is what is promised.
 set -eu
 atlas=$1 pel=$2
 dir=$(mktemp -d)
@@ -14,7 +14,7 @@ say()
 }
 
 "$atlas" --list >"$dir/list"
-for case in references thinness overflow limits color span sampling fighting \
+for case in thinness overflow limits color span sampling fighting \
     circle map-circle arctangent dither smooth-discs smooth-needles \
     smooth-seams; do
     grep -qx "$case" "$dir/list" || say "--list has no $case"
