@@ -50,7 +50,7 @@ EXAMPLE_NAMES := $(EXAMPLES:examples/%.c=%)
 $(if $(filter board window device,$(MAKECMDGOALS)),$(if \
     $(filter-out $(EXAMPLE_NAMES),$(EXAMPLE)),$(error EXAMPLE=$(EXAMPLE): expected \
     one of $(EXAMPLE_NAMES), or a program of yours in examples/$(EXAMPLE).c)))
-example_sources = examples/$1.c $(wildcard examples/$1/*.c) $(DRIVERS) \
+example_sources = examples/$1.c $(wildcard examples/$1/*.c) \
     $(EXAMPLE_ASSETS_$1:%=$(BUILD)/examples/%.c)
 
 .PHONY: all help
@@ -73,7 +73,7 @@ $(BUILD)/core/%.o: core/%.c
 EXAMPLE_PROGRAMS := $(EXAMPLES:%.c=$(BUILD)/%)
 
 define example_program
-$(BUILD)/examples/$1: $(call example_sources,$1) $(BUILD)/libpel.a \
+$(BUILD)/examples/$1: $(call example_sources,$1) $(DRIVERS) $(BUILD)/libpel.a \
     $(wildcard examples/*.h drivers/*.h)
 	@mkdir -p $$(@D)
 	$$(CC) $$(PEL_CFLAGS) -I$$(@D) $$(CFLAGS) $$(filter %.c %.a,$$^) -o $$@

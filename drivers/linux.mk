@@ -51,6 +51,5 @@ $(BUILD)/device/%: examples/%.c examples/linux.h $(BUILD)/libpel_linux.a \
     $(BUILD)/libpel.a $(BUILD)/examples/%
 	@mkdir -p $(@D)
 	$(CC) $(PEL_CFLAGS) $(LINUX_FLAGS) -I$(BUILD)/examples $(CFLAGS) \
-	    '-DPANEL_HEADER="linux.h"' $(filter-out drivers/%,$(call \
-	    example_sources,$*)) $(BUILD)/libpel_linux.a $(BUILD)/libpel.a \
-	    $(LINUX_LIBS) -o $@
+	    '-DPANEL_HEADER="linux.h"' $(call example_sources,$*) \
+	    $(BUILD)/libpel_linux.a $(BUILD)/libpel.a $(LINUX_LIBS) -o $@

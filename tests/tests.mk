@@ -1,6 +1,13 @@
-# `make check`: the cmocka programs of core in several builds, the tests of sim,
-# and what fragments add to CHECK_EXTRA, a list of make targets of which each is
-# one test. `make deep` runs the same programs for longer.
+# How a test comes to run. Its file is enough: C files named tests/unit/test_*.c,
+# tests/property/, tests/exhaustive/ and tests/sim/ are found by `wildcard`, and so
+# are the scripts tests/sim/test_*.sh. Each C file is one cmocka program, linked
+# with tests/support and the drivers. For each of TEST_BUILDS, a set of flags,
+# TEST_PROGRAMS_build says which of them are built with these. A fragment of make
+# with tests of another kind adds a target to CHECK_EXTRA.
+#
+# `make check` builds all that (target `tests`), writes CHECK_LINES into a file, a
+# line for each test, its name and its command, and tests/support/run.sh runs them
+# side by side. `make deep` runs the same programs for longer.
 
 -include tests/tools/tools.mk
 -include tests/device/linux/linux.mk
@@ -56,7 +63,7 @@ $(T)/$1/%.o: %.c
 $(T)/$1/libpel.a: $(CORE:%.c=$(T)/$1/%.o)
 	rm -f $$@
 	$$(AR) rcs $$@ $$^
-$(T)/$1/libsupport.a: $(TEST_SUPPORT:%.c=$(T)/$1/%.o) $(DRIVERS:%.c=$(T)/$1/%.o)
+$(T)/$1/libsupport.a: $(TEST_SUPPORT:%.c=$(T)/$1/%.o)
 	rm -f $$@
 	$$(AR) rcs $$@ $$^
 $(T)/$1/tests/%: $(T)/$1/tests/%.o $(T)/$1/libsupport.a $(T)/$1/libpel.a

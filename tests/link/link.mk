@@ -111,8 +111,7 @@ LINK_STACK_Os := 608
 # a Cortex-M4, which has memory for whole screens. $1 build, $2 CPU, $3 product
 PRODUCTS := badge game gauge globe scope thermostat watch
 define product_program
-$(BUILD)/link/$1/product_$3.elf: $(filter-out drivers/%,$(call \
-    example_sources,$3)) tests/link/product.h $(MCU_PORT:%.c=$(BUILD)/mcu/$1/%.o) \
+$(BUILD)/link/$1/product_$3.elf: $(call example_sources,$3) tests/link/product.h $(MCU_PORT:%.c=$(BUILD)/mcu/$1/%.o) \
     $(BUILD)/mcu/$1/libdrivers.a $(BUILD)/mcu/$1/libpel.a
 	@mkdir -p $$(@D)
 	$(MCU_CC_$2) $(MCU_FLAGS_O2) $(MCU_CFLAGS) -I$(BUILD)/examples \

@@ -127,7 +127,7 @@ EXAMPLES_CHECKED := board game gauge mesh oled selftest watch
 
 # $1 board, $2 CPU whose code it runs, $3 example, $4 its RAM
 define board_example
-$(BUILD)/board/$1/$3: $(filter-out drivers/%,$(call example_sources,$3)) \
+$(BUILD)/board/$1/$3: $(call example_sources,$3) \
     $(wildcard examples/*.h) \
     $(patsubst %.c,$(BUILD)/cpus/gcc-$2-O2/%.o,$(CORE) $(DRIVERS))
 	@mkdir -p $$(@D)
