@@ -144,7 +144,7 @@ enum pel_status pel_epaper_init(struct pel_display *display,
                                 struct pel_epaper *paper)
 {
     if (!display || !paper || !paper->chip || !paper->bus || !paper->busy ||
-        !paper->format || !paper->frame)
+        !paper->format || !paper->frame || !paper->bus->data)
         return PEL_ERROR_NULL;
     const struct pel_epaper_chip *chip = paper->chip;
     if (paper->format->bits > 2)
