@@ -1,7 +1,7 @@
 /* A bus to a chip beside the processor, a panel or a touch controller: SPI with
- * a data/command line, I2C, or parallel. The one thing that a platform brings;
- * port/linux has it for spidev and i2c-dev, docs/firmware.md shows one for a
- * microcontroller with DMA.
+ * a data/command line, I2C, or parallel (bus_8080.h). The one thing that a
+ * platform brings; port/linux has it for spidev and i2c-dev, docs/firmware.md
+ * shows one for a microcontroller with DMA.
  *
  * Four functions, of which only `command` is always there. A bus is one chip's:
  * its chip select or its address belongs to the context. Calls come from one

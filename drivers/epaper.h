@@ -74,8 +74,8 @@ extern const struct pel_epaper_chip pel_epaper_uc8179;  /* GDEY075T7,
 
 /* Resets and sets up the chip; the glass stays as it is, the frame is white.
  * `paper` becomes the context of `display`, and both stay the caller's.
- * PEL_ERROR_NULL, for a bus without `data` too; PEL_ERROR_FORMAT, PEL_ERROR_SIZE
- * (no glass, or more than the chip's memory), PEL_ERROR_DEVICE.
+ * PEL_ERROR_NULL, for a bus without `data` too; PEL_ERROR_FORMAT,
+ * PEL_ERROR_SIZE (no glass, or more than the chip's memory), PEL_ERROR_DEVICE.
  *
  * flip: PEL_ERROR_RANGE when the refresh is one that the panel does not have.
  * What a chip that needs a waveform does without one is up to the chip. */

@@ -23,6 +23,8 @@ void panel_glass_reset(struct panel_glass *g)
     g->command = -1;
     g->multiplex = g->family == PANEL_SH1107 ? 128 : g->rows;
     g->offset = 0;
+    g->scroll[0] = g->scroll[2] = g->start = 0;
+    g->scroll[1] = g->rows;
     memset(memory, 0, sizeof memory);
 }
 
@@ -108,6 +110,30 @@ static void range(struct panel_glass *g, int range_[2], int byte)
         range_[g->parameter / 2] = byte << 8;
 }
 
+/* ST7789V v1.3 section 9.1, 33h and 37h: numbers of two bytes. The three of 33h
+ * are all lines of memory, and 37h is one of those that scroll. */
+static void take_scroll(struct panel_glass *g, int *numbers, int byte)
+{
+    int *const number = &numbers[g->parameter / 2];
+    *number = g->parameter & 1 ? *number | byte : byte << 8;
+    if (g->command == 0x33 && g->parameter == 5) {
+        assert_int_equal(g->scroll[0] + g->scroll[1] + g->scroll[2], g->rows);
+        g->start = g->scroll[0];
+    }
+    if (g->command == 0x37 && g->parameter == 1)
+        assert_in_range(g->start, g->scroll[0],
+                        g->scroll[0] + g->scroll[1] - 1);
+}
+
+/* The line of memory that is seen at a line of the chip. */
+static int scrolled(const struct panel_glass *g, int row)
+{
+    const int at = row - g->scroll[0];
+    if (g->family != PANEL_DCS || at < 0 || at >= g->scroll[1])
+        return row;
+    return g->scroll[0] + (at + g->start - g->scroll[0]) % g->scroll[1];
+}
+
 /* ST7789V v1.3 section 9.1, 2Ah, 2Bh, 2Ch, 36h, 3Ah, 51h; SSD1351 rev 1.5 pages
  * 32 to 34. */
 static void take_parameter(struct panel_glass *g, int byte)
@@ -128,6 +154,8 @@ static void take_parameter(struct panel_glass *g, int byte)
         g->depth = byte;
     else if (c == (dcs ? 0x51 : 0xC7))
         g->brightness = byte;
+    else if (dcs && (c == 0x33 || c == 0x37))
+        take_scroll(g, c == 0x33 ? g->scroll : &g->start, byte);
     g->parameter++;
 }
 
@@ -247,7 +275,7 @@ int panel_glass_pixel(const struct panel_glass *g, int x, int y)
         column = g->columns - 1 - column;
     if (g->rows_backward != (g->scan && !across))
         row = rows - 1 - row;
-    return memory[row][column];
+    return memory[scrolled(g, row)][column];
 }
 
 void panel_glass_turn(int rotation, int width, int height, int at[2])

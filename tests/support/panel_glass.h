@@ -33,6 +33,8 @@ struct panel_glass {
     bool segments, scan;   /* A1h, C8h */
     bool extended;         /* the other set of commands of a PCD8544 */
     int multiplex, offset; /* A8h, D3h */
+    int scroll[3], start;  /* lines above, of and below those that scroll, 33h;
+                              37h */
 };
 
 /* Of what memory holds afterwards there is one for all: one glass at a time. */
