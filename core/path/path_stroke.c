@@ -1,11 +1,13 @@
-#include "stroker.h"
+#include "dasher.h"
 
 enum pel_status pel_path_walk_stroke(const void *shape, struct pel_sides *sides)
 {
     const struct pel_path_shape *const path = shape;
-    struct pel_stroker s;
-    const enum pel_status status = pel_stroker_begin(&s, &path->stroke, sides);
-    return status == PEL_OK ? pel_path_walk(path, &s.pen) : status;
+    struct pel_dasher d;
+    struct pel_pen *pen;
+    const enum pel_status status =
+        pel_dasher_begin(&d, &path->stroke, sides, &pen);
+    return status == PEL_OK ? pel_path_walk(path, pen) : status;
 }
 
 enum pel_status pel_path_stroke(const struct pel_surface *surface,

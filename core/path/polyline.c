@@ -1,20 +1,21 @@
-#include "stroker.h"
+#include "dasher.h"
 
 enum pel_status pel_polyline_walk(const void *shape, struct pel_sides *sides)
 {
     const struct pel_polyline_shape *const line = shape;
-    struct pel_stroker s;
-    enum pel_status status = pel_stroker_begin(&s, &line->stroke, sides);
+    struct pel_dasher d;
+    struct pel_pen *pen;
+    enum pel_status status = pel_dasher_begin(&d, &line->stroke, sides, &pen);
     if (line->n > 0 && !line->v)
         return PEL_ERROR_NULL;
     for (int32_t i = 0; i < line->n && status == PEL_OK; i++) {
-        status = s.pen.draw(&s.pen, i ? PEL_LINE : PEL_MOVE, &line->v[i]);
+        status = pen->draw(pen, i ? PEL_LINE : PEL_MOVE, &line->v[i]);
         if (line->n == 1 && status == PEL_OK)
-            status = s.pen.draw(&s.pen, PEL_LINE, line->v);
+            status = pen->draw(pen, PEL_LINE, line->v);
     }
     if (line->closed && line->n > 0 && status == PEL_OK)
-        status = s.pen.draw(&s.pen, PEL_CLOSE, NULL);
-    return status == PEL_OK ? s.pen.draw(&s.pen, PEL_MOVE, NULL) : status;
+        status = pen->draw(pen, PEL_CLOSE, NULL);
+    return status == PEL_OK ? pen->draw(pen, PEL_MOVE, NULL) : status;
 }
 
 enum pel_status pel_polyline(const struct pel_surface *surface,

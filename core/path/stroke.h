@@ -17,7 +17,10 @@ enum pel_join { PEL_JOIN_BEVEL, PEL_JOIN_MITER, PEL_JOIN_ROUND };
  * beside each line, and its joins and caps. Round ones are polygons within
  * 1/128 px of the circle. A part of a path without length is a disc with round
  * caps, a square with square ones, else nothing. Corners of the border are
- * rounded to the nearest 1/256 px. */
+ * rounded to the nearest 1/256 px. Each dash has caps, and joins where it
+ * turns; a dash without length is a dot. Dashes of a closed part do not join
+ * where it begins.
+ */
 struct pel_stroke {
     int32_t width; /* across, in 1/256 px: 0 to PEL_PX(32767) */
     enum pel_cap cap;
@@ -25,6 +28,12 @@ struct pel_stroke {
     int32_t miter_limit; /* how far from a turn sides may meet, in 256ths of
                             half of the width, 256 to 4,096; 0 is 1,024. Beyond
                             that a corner is cut off. */
+    const int32_t *dash; /* lengths of a dash, a gap, a dash ..., 1/256 px; they
+                            begin anew where they end. Together, twice if they
+                            are odd, 1 to 32,767 px. */
+    int32_t dash_count;  /* 0: no dashes, up to 64 */
+    int32_t dash_phase;  /* how far in them a part of a path begins, 1/256 px: 0
+                            to PEL_PX(32767) */
 };
 PEL_END_DECLS
 #endif

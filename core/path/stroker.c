@@ -92,18 +92,11 @@ static void end_closed(struct pel_stroker *s)
     s->has_line = s->has_point = false;
 }
 
-/* Is all that may be drawn at a point in range? */
-static bool is_legal(const struct pel_stroker *s, const struct pel_point *p)
-{
-    const int32_t most = PEL_COORDINATE_MAX - s->reach;
-    return p->x >= -most && p->x <= most && p->y >= -most && p->y <= most;
-}
-
 static enum pel_status draw(struct pel_pen *pen, enum pel_verb verb,
                             const struct pel_point *p)
 {
     struct pel_stroker *const s = (struct pel_stroker *)(void *)pen;
-    if (verb != PEL_CLOSE && p && !is_legal(s, p))
+    if (verb != PEL_CLOSE && p && !pel_stroker_takes(s, p))
         return PEL_ERROR_RANGE;
     if (verb == PEL_LINE)
         line_to(s, *p);

@@ -36,6 +36,14 @@ enum pel_status pel_stroker_begin(struct pel_stroker *s,
                                   const struct pel_stroke *stroke,
                                   struct pel_sides *sides);
 
+/* Is all that may be drawn at a point in range? */
+static inline bool pel_stroker_takes(const struct pel_stroker *s,
+                                     const struct pel_point *p)
+{
+    const int32_t most = PEL_COORDINATE_MAX - s->reach;
+    return p->x >= -most && p->x <= most && p->y >= -most && p->y <= most;
+}
+
 /* What stroke_turn.c draws at a point: the border from one line to the next; an
  * end, whose line goes there, or came from there: backwards; a dot. */
 void pel_stroke_join(struct pel_stroker *s, struct pel_point p,

@@ -1,25 +1,31 @@
 /* Paths and strokes of any bytes, in little or much scratch memory. */
 #include "api.h"
 
-enum { VERBS = 8, POINTS = 3 * VERBS, MEMORY = 8192 };
+enum { DASHES = 3, VERBS = 8, POINTS = 3 * VERBS, MEMORY = 8192 };
 
 struct any_path {
     uint8_t verbs[VERBS];
     int16_t points16[2 * POINTS];
     struct pel_point points[POINTS];
+    int32_t dash[DASHES];
     struct pel_path path;
     struct pel_transform transform;
     struct pel_path_shape shape;
     struct pel_polyline_shape line;
 };
 
-static struct pel_stroke any_stroke(struct api *a)
+static struct pel_stroke any_stroke(struct api *a, int32_t *dash)
 {
     struct pel_stroke stroke;
     stroke.width = input_number(&a->in);
     stroke.cap = (enum pel_cap)input_below(&a->in, 4);
     stroke.join = (enum pel_join)input_below(&a->in, 4);
     stroke.miter_limit = input_number(&a->in);
+    for (int i = 0; i < DASHES; i++)
+        dash[i] = input_number(&a->in);
+    stroke.dash = dash;
+    stroke.dash_count = (int32_t)input_below(&a->in, DASHES + 2) - 1;
+    stroke.dash_phase = input_number(&a->in);
     return stroke;
 }
 
@@ -54,7 +60,7 @@ static void take_path(struct api *a, struct any_path *p)
         .path = &p->path,
         .transform = how & 2 ? &p->transform : NULL,
         .rule = how & 4 ? PEL_EVEN_ODD : PEL_NON_ZERO,
-        .stroke = any_stroke(a),
+        .stroke = any_stroke(a, p->dash),
         .tolerance = how & 8 ? input_number(&a->in) : 0};
     p->line = (struct pel_polyline_shape){p->points, p->path.point_count,
                                           how & 16, p->shape.stroke};

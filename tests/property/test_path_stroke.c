@@ -144,12 +144,12 @@ static void path_of(const struct pel_polyline_shape *line, bool curves,
 }
 
 static struct canvas whole, other;
+static const struct pel_flat ink = PEL_FLAT(PEL_RGBA(200, 40, 90, 120));
 
 /* Kinds: polyline, path of lines, path with curves; each smooth or not. */
 static enum pel_status draw(const struct pel_surface *surface, uint32_t kind,
                             const struct pel_polyline_shape *line, size_t size)
 {
-    static const struct pel_flat ink = PEL_FLAT(PEL_RGBA(200, 40, 90, 120));
     const bool smooth = kind % 2;
     struct line_path p;
     if (kind < 2)
@@ -177,14 +177,74 @@ TEST(polylines_are_paths_of_lines)
     }
 }
 
-/* And as little memory as one row needs. */
+/* Dashes of a straight line are lines of their own. */
+TEST(dashes_are_lines)
+{
+    const struct pel_rect bounds = {0, 0, SIZE, SIZE};
+    for (struct cases c = cases_of(4000); cases_next(&c);) {
+        struct random *r = &c.random;
+        const int32_t dash[2] = {random_between(r, 1, 1500),
+                                 random_between(r, 256, 1500)};
+        const struct pel_point v[2] = {{random_between(r, -9, 200), 3000},
+                                       {random_between(r, 5000, 7000), 3000}};
+        struct pel_polyline_shape line = {
+            v,
+            2,
+            false,
+            {.width = random_between(r, 2, 999),
+             .cap = (enum pel_cap)(random_word(r) % 3),
+             .dash = dash,
+             .dash_count = 2,
+             .dash_phase = random_between(r, 0, 9999)}};
+        const uint32_t smooth = random_word(r) % 2;
+        canvas_open(&whole, &pel_rgb888, &bounds, 0);
+        canvas_open(&other, &pel_rgb888, &bounds, 0);
+        assert_int_equal(draw(&whole.surface, smooth, &line, sizeof scratch),
+                         PEL_OK);
+        struct pel_path path;
+        uint8_t verbs[128];
+        struct pel_point ends[128];
+        int32_t n = 0,
+                x = v[0].x - line.stroke.dash_phase % (dash[0] + dash[1]);
+        for (; x < v[1].x; x += dash[0] + dash[1]) {
+            const int32_t from = pel_max(x, v[0].x);
+            const int32_t to = pel_min(x + dash[0], v[1].x);
+            if (from > to || (from == to && from == v[0].x))
+                continue;
+            verbs[n] = PEL_MOVE;
+            ends[n++] = (struct pel_point){from, 3000};
+            verbs[n] = PEL_LINE;
+            ends[n++] = (struct pel_point){to, 3000};
+        }
+        path = (struct pel_path){.verbs = verbs,
+                                 .points32 = &ends[0].x,
+                                 .verb_count = n,
+                                 .point_count = n};
+        struct pel_path_shape shape = {.path = &path, .stroke = line.stroke};
+        shape.stroke.dash_count = 0;
+        assert_int_equal(
+            (smooth ? pel_smooth_path_stroke : pel_path_stroke)(
+                &other.surface, &shape, &ink.paint, scratch, sizeof scratch),
+            PEL_OK);
+        canvas_check_same(&whole, &other);
+    }
+}
+
+/* With dashes, too, and as little memory as one row needs. */
 TEST(tiles_and_memory_change_nothing)
 {
     const struct pel_rect bounds = {0, 0, SIZE, SIZE};
     for (struct cases c = cases_of(20000); cases_next(&c);) {
         struct random *r = &c.random;
         struct pel_point v[POINTS];
-        const struct pel_polyline_shape line = random_line(r, v);
+        struct pel_polyline_shape line = random_line(r, v);
+        const int32_t dash[3] = {random_between(r, 0, 900), 300,
+                                 random_between(r, 0, 900)};
+        line.stroke.dash = dash;
+        line.stroke.dash_count = random_between(r, 0, 3);
+        line.stroke.dash_phase = random_between(r, 0, 3000);
+        if (line.stroke.dash_count == 1 && dash[0] < 128)
+            line.stroke.dash_count = 0;
         const uint32_t kind = random_word(r) % 6;
         const struct layout *const l = &layouts[random_word(r) % LAYOUT_COUNT];
         canvas_open(&whole, l->format, &bounds, 0);
