@@ -100,9 +100,10 @@ static inline int pel_trailing_zeros(uint32_t v)
 #define PEL_NOINLINE_32 PEL_NOINLINE
 #endif
 
-/* Before a loop over three coordinates or corners: written out on 64-bit CPUs,
- * where gcc -O2 does not (clang does). */
-#if PEL_64BIT && defined(__GNUC__) && !defined(__clang__)
+/* Before a loop over three coordinates or corners: written out on CPUs that
+ * multiply to 64 bits, where gcc -O2 does not (clang does). */
+#if (PEL_64BIT || (PEL_LONG_MULTIPLY && !defined(__OPTIMIZE_SIZE__))) && \
+    defined(__GNUC__) && !defined(__clang__)
 #define PEL_UNROLL _Pragma("GCC unroll 3")
 #else
 #define PEL_UNROLL

@@ -153,7 +153,7 @@ static void add(pel_factor sum[3], const pel_factor factor[3], pel_cosine part)
         return;
     PEL_UNROLL
     for (int k = 0; k < 3; k++)
-        sum[k] += pel_scaled(factor[k], part, 30);
+        sum[k] += (pel_factor)pel_share((uint32_t)factor[k], part, 30);
 }
 
 /* The direction from one position to another. */
@@ -221,17 +221,6 @@ void pel_mesh_lights_sum(const struct pel_mesh_lights *lights,
         pel_light_towards(&lights->light[i], position, towards);
         pel_light_add(lights, &lights->light[i], towards, sum);
     }
-}
-
-/* Both products stay below 65,280 2^15, and their sum below 2^32. */
-uint32_t pel_lit_channel(const struct pel_light_sum *sum, int channel,
-                         uint32_t surface)
-{
-    uint32_t v =
-        (uint32_t)pel_scaled((int32_t)surface, sum->surface[channel], 16) + 128;
-    if (sum->plain[channel])
-        v += (uint32_t)pel_scaled(65280, sum->plain[channel], 16);
-    return v >> 8 < 255 ? v >> 8 : 255;
 }
 
 pel_color pel_lit_color(const struct pel_light_sum *sum, pel_color surface)

@@ -98,9 +98,16 @@ pel_cosine pel_light_reflected(pel_cosine towards[3][3], pel_cosine nl);
 pel_cosine pel_cosine_power(pel_cosine v, int32_t n);
 
 /* A channel of the lit color, 0 red to 2 blue, 0..255, rounded to the nearest;
- * surface in 1/256 steps, 0..65,280. */
-uint32_t pel_lit_channel(const struct pel_light_sum *sum, int channel,
-                         uint32_t surface);
+ * surface in 1/256 steps, 0..65,280. Both products stay below 65,280 2^15, and
+ * their sum below 2^32. */
+static PEL_HOT uint32_t pel_lit_channel(const struct pel_light_sum *sum,
+                                        int channel, uint32_t surface)
+{
+    uint32_t v = pel_share(surface, sum->surface[channel], 16) + 128;
+    if (sum->plain[channel])
+        v += pel_share(65280, sum->plain[channel], 16);
+    return v >> 8 < 255 ? v >> 8 : 255;
+}
 
 /* All three, with the alpha of `surface`. */
 pel_color pel_lit_color(const struct pel_light_sum *sum, pel_color surface);

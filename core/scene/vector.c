@@ -3,7 +3,7 @@
 #include "../base/sqrt.h"
 #include "../base/trig.h"
 
-#if !PEL_64BIT
+#ifndef PEL_WIDE /* vector.h */
 #define PEL_WIDE
 #include "vector.inc"
 #endif
@@ -21,8 +21,9 @@ int64_t pel_minor(int32_t a, int32_t b, int32_t c, int32_t d)
     return pel_long_product(a, b) - pel_long_product(c, d);
 }
 
-/* v . v <= 3 2^60 < 2^62. The inverse is 2^(62 - shift) / |v|, so v inverse,
- * below 2^62, is 2^30 v / |v| after a shift by 32 - shift. */
+/* v . v <= 3 2^60 < 2^62. The inverse is 2^(62 - shift) / |v|, and |v| 2^shift
+ * is below 2^31: so v 2^shift inverse is 2^30 v / |v| after a shift by 32,
+ * which is the same for all vectors. */
 bool pel_normalize_fast(const int32_t v[3], pel_cosine unit[3])
 {
     uint32_t inverse = 0;
@@ -32,7 +33,8 @@ bool pel_normalize_fast(const int32_t v[3], pel_cosine unit[3])
         inverse = pel_inverse_root(square, &shift);
     PEL_UNROLL
     for (int k = 0; k < 3; k++)
-        unit[k] = pel_scaled(v[k], (int32_t)(inverse >> 1), 31 - shift);
+        unit[k] = pel_scaled(v[k] * (int32_t)(UINT32_C(1) << shift),
+                             (int32_t)(inverse >> 1), 31);
     return square != 0;
 }
 

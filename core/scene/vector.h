@@ -36,8 +36,9 @@ typedef int32_t pel_factor;
 
 /* pel_scale_down: v 2^-n, -62 <= n <= 62; pel_scaled: a b 2^-n, 0 <= n <= 62;
  * pel_weighted: the dot product 2^-30. The nearest, a tie upwards; it must fit.
- * Inline where a CPU has 64 bits, elsewhere functions of vector.c. */
-#if PEL_64BIT
+ * Inline where a CPU has 64 bits, or multiplies to them and code need not be
+ * small; elsewhere functions of vector.c. */
+#if PEL_64BIT || (PEL_LONG_MULTIPLY && !defined(__OPTIMIZE_SIZE__))
 #define PEL_WIDE static inline
 #include "vector.inc"
 #else
@@ -45,6 +46,19 @@ int64_t pel_scale_down(int64_t v, int n);
 int32_t pel_scaled(int32_t a, int32_t b, int n);
 int32_t pel_weighted(const int32_t a[3], const int32_t b[3]);
 #endif
+
+/* a b 2^-n, 0 < n < 32, of numbers without a sign: the nearest, a tie upwards;
+ * it must fit. */
+static inline uint32_t pel_share(uint32_t a, int32_t b, int n)
+{
+#if PEL_SMALL_CODE
+    return PEL_CAST(uint32_t, pel_scaled(PEL_CAST(int32_t, a), b, n));
+#else
+    return PEL_CAST(uint32_t, (pel_multiply(a, PEL_CAST(uint32_t, b)) +
+                               (UINT64_C(1) << (n - 1))) >>
+                                  n);
+#endif
+}
 
 /* An upper bound of |v[k]|, with as many bits as the largest of them. */
 uint64_t pel_vector_bound(const int64_t v[3]);
