@@ -1,14 +1,19 @@
 /* Paths: outlines of lines and curves as const data, which fill at any size and
  * angle, and strokes: lines of any width along them.
  *
- *     static const uint8_t verbs[] = {PEL_MOVE, PEL_CUBIC, PEL_LINE,
- * PEL_CLOSE}; static const int16_t points[] = {0, 0, 0, 64, 96, 64, 96, 0, 48,
- * -32}; static const struct pel_path leaf = { .verbs = verbs, .verb_count = 4,
- * .points16 = points, .point_count = 5}; static const struct pel_transform
- * twice = { PEL_SCALE(2), 0, 0, PEL_SCALE(2), PEL_AT(40, 40)}; static uint32_t
- * scratch[PEL_PATH_SCRATCH_SIZE(32) / 4];
+ *     static const uint8_t verbs[] = {
+ *         PEL_MOVE, PEL_CUBIC, PEL_LINE, PEL_CLOSE};
+ *     static const int16_t points[] = {
+ *         0, 0, 0, 64, 96, 64, 96, 0, 48, -32};
+ *     static const struct pel_path leaf = {
+ *         .verbs = verbs, .points16 = points,
+ *         .verb_count = 4, .point_count = 5};
+ *     static const struct pel_transform twice = {
+ *         PEL_SCALE(2), 0, 0, PEL_SCALE(2), PEL_AT(40, 40)};
+ *     static uint32_t scratch[PEL_PATH_SCRATCH_SIZE(32) / 4];
  *
- *     const struct pel_path_shape shape = {.path = &leaf, .transform = &twice};
+ *     const struct pel_path_shape shape = {
+ *         .path = &leaf, .transform = &twice};
  *     pel_path_fill(&screen, &shape, &green.paint, scratch, sizeof scratch);
  *
  * A curve becomes lines: a number that depends on the curve alone, so bands,
