@@ -9,7 +9,7 @@
  *         .verbs = verbs, .points16 = points,
  *         .verb_count = 4, .point_count = 5};
  *     static const struct pel_transform twice = {
- *         PEL_SCALE(2), 0, 0, PEL_SCALE(2), PEL_AT(40, 40)};
+ *         PEL_SCALE(2), 0, 0, PEL_SCALE(2), PEL_AT(40, 80)};
  *     static uint32_t scratch[PEL_PATH_SCRATCH_SIZE(32) / 4];
  *
  *     const struct pel_path_shape shape = {
