@@ -356,6 +356,66 @@ view_runs() {
     dump_differs "$row-next" "$row-frame"
 }
 
+# Terminals are switched to and fro while frames are drawn, faster than anybody
+# answers; then the frames go on, and the terminal is as it was.
+storm_case() { # DEVICE
+    before=$(state)
+    start /mnt/frames "$1"
+    becomes frames_run || fail "storm on $1: nothing is drawn: $(cat $log)"
+    n=0
+    while [ $n -lt 25 ]; do
+        timeout 30 chvt 2 &
+        timeout 30 chvt 1 &
+        usleep 7000
+        n=$((n + 1))
+    done
+    for storm in $(jobs -p); do
+        [ "$storm" = $pid ] || wait "$storm"
+    done
+    timeout 30 chvt 1
+    active_becomes 1 && becomes view_runs ||
+        fail "storm on $1: no frames: $(state): $(cat $log)"
+    kill $pid
+    wait $pid
+    state_becomes "$before" && pass "a storm of switches on $1" ||
+        fail "storm on $1: $before: $(state)"
+}
+
+# All devices go to sleep and wake, by the kernel's own test, while frames are
+# drawn. The host's folder does not wake, so what is needed is in memory, and the
+# machine ends here.
+suspend_case() { # DEVICE
+    cp /mnt/frames /mnt/console_state /tmp/
+    state() {
+        /tmp/console_state /dev/tty1 <&3
+    }
+    before=$(state)
+    /tmp/console_state -default /tmp/frames "$1" <&3 > $log 2>&1 &
+    pid=$!
+    becomes frames_run || fail "suspend on $1: nothing is drawn: $(cat $log)"
+    umount -l /mnt
+    echo devices > /sys/power/pm_test && echo freeze > /sys/power/state ||
+        fail "suspend on $1: refused"
+    becomes frames_go_on || fail "suspend on $1: no frames: $(cat $log)"
+    kill $pid
+    wait $pid
+    state_becomes "$before" && pass "$1 slept and woke" ||
+        fail "suspend on $1: $before: $(state)"
+    echo "@done $failures"
+    poweroff -f
+}
+
+time_of_process() {
+    cut -d" " -f14 /proc/$pid/stat
+}
+
+# The program's time grows: it draws.
+frames_go_on() {
+    spent=$(time_of_process)
+    sleep 1
+    [ "$(time_of_process)" -gt "$spent" ]
+}
+
 # The driver is taken away while a command draws frames.
 vanish_case() { # DEVICE PATTERN DRAWING COMMAND...
     vanished=$1 pattern=$2 drawing=$3

@@ -88,7 +88,14 @@ row_access() {
     kill_matrix
     session_case fb:/dev/fb0,shadow "5 waits for the vertical blank: done"
     session_case drm:/dev/dri/card0 "0 waits for the vertical blank"
+    storm_case drm:/dev/dri/card0
+    storm_case fb:/dev/fb0,shadow
     vanish
+}
+
+row_suspend() {
+    . /mnt/guest_console.sh
+    suspend_case drm:/dev/dri/card0
 }
 
 row_faults() {
