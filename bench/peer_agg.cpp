@@ -61,12 +61,12 @@ static void fill(struct job *job, Base &base, Generator &generator)
                               generator);
 }
 
-/* `way` takes a pixel to the gradient's own axes, where it ends at `end`. */
+/* `axes` takes a pixel to the gradient's own axes, where it ends at `end`. */
 template <class Function, class Base>
-static void fill_gradient(struct job *job, Base &base, agg::trans_affine way,
+static void fill_gradient(struct job *job, Base &base, agg::trans_affine axes,
                           double end)
 {
-    interpolator along(way);
+    interpolator along(axes);
     ramp colors = {job->ramp};
     Function function;
     agg::span_gradient<color, interpolator, Function, ramp> generator(
@@ -104,8 +104,8 @@ static void fill_texture(struct job *job, Base &base, const struct shape *s)
     }
     agg::pixfmt_bgra32 pixels(job->texture);
     source picture(pixels);
-    agg::trans_affine way(screen, texels);
-    interpolator along(way);
+    agg::trans_affine map(screen, texels);
+    interpolator along(map);
     if (job->workload->paint == PAINT_NEAREST) {
         agg::span_image_filter_rgba_nn<source, interpolator> near(picture,
                                                                   along);

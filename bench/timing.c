@@ -31,14 +31,14 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Linear between the two values nearest to the place. */
+/* Linear between the two values next to the index, which may be a fraction. */
 static double quantile(const double *sorted, int n, double share)
 {
-    double place = share * (n - 1);
-    int i = (int)place;
+    double index = share * (n - 1);
+    int i = (int)index;
     if (i + 1 >= n)
         return sorted[n - 1];
-    return sorted[i] + (place - i) * (sorted[i + 1] - sorted[i]);
+    return sorted[i] + (index - i) * (sorted[i + 1] - sorted[i]);
 }
 
 struct quartiles timing_quartiles(double *values, int n)

@@ -24,10 +24,10 @@
 #define PEL_ASSERT(condition) ((void)0)
 #endif
 
-/* Is called with false where a shape lies within the first 2 px, as it does
- * when pixels are given for sub-pixels: pel_at(120, 120), PEL_PX(30) are right.
- * By default nothing is reported. While you write a program, define it as
- * assert(condition) too, or as a message of yours. */
+/* Is called with false for a shape that lies in the first two pixels, which
+ * mostly means that its points are pixels where sub-pixels were wanted: write
+ * pel_at(120, 120) and PEL_PX(30). By default nothing is reported. While you
+ * write a program, define it as assert(condition) too, or as a message. */
 #ifndef PEL_HINT
 #define PEL_HINT(condition) ((void)0)
 #endif

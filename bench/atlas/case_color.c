@@ -109,17 +109,17 @@ static void put_errors(struct atlas *a, const struct errors *e, struct figure f,
         atlas_put(a, f);
 }
 
-/* What rounding to F bits may do over `way` px in x and y together, and the
- * half step of the result. */
-static double bound_of(const struct gradient_method *m, double way)
+/* What rounding to F bits may do over `distance` px in x and y together, and
+ * the half step of the result. */
+static double bound_of(const struct gradient_method *m, double distance)
 {
-    return m->bits && !m->saturates ? (way + 1) / (2 << m->bits) + .5 : 0;
+    return m->bits && !m->saturates ? (distance + 1) / (2 << m->bits) + .5 : 0;
 }
 
 /* gouraud.h: 2^-17 a pixel, at most 1/16. */
-static double bound_of_pel(double way)
+static double bound_of_pel(double distance)
 {
-    return fmin((way + 1) / 131072, 1 / 16.) + .5;
+    return fmin((distance + 1) / 131072, 1 / 16.) + .5;
 }
 
 /* Makes triangles for a sheet: of an edge, or of a thickness. */
@@ -132,7 +132,7 @@ struct regime {
 
 static void any_sample(struct random *r, int32_t edge, struct sample *s)
 {
-    const struct place p = {0, 0, edge};
+    const struct square p = {0, 0, edge};
     any_triangle(r, &p, s->v);
     s->box = (struct pel_rect){0, 0, edge, edge};
 }
@@ -140,7 +140,7 @@ static void any_sample(struct random *r, int32_t edge, struct sample *s)
 static void thin_sample(struct random *r, int32_t thickness, struct sample *s)
 {
     enum { EDGE = 128 };
-    const struct place p = {0, 0, EDGE};
+    const struct square p = {0, 0, EDGE};
     const struct thin thin = {EDGE - 4, 0};
     thin_triangle(r, &p, &thin, s->v);
     s->v[2].x += random_between(r, -thickness, thickness);
@@ -232,11 +232,11 @@ void atlas_color_sliver(struct atlas *a)
 
 /* A gradient from black to blue over `length` px in a random direction, as a
  * triangle that holds it, seen in a strip. */
-struct way {
+struct axis {
     struct pel_point from, to;
 };
 
-static struct way any_way(struct random *r, int32_t length, struct sample *s)
+static struct axis any_axis(struct random *r, int32_t length, struct sample *s)
 {
     const double turn = random_between(r, -500, 500) / 1000.0;
     const struct pel_point d = {(int32_t)lround(256 * length * cos(turn)),
@@ -244,24 +244,24 @@ static struct way any_way(struct random *r, int32_t length, struct sample *s)
     const struct pel_point from = {random_between(r, 0, 255),
                                    random_between(r, 0, 255)};
     const struct pel_point to = {from.x + d.x, from.y + d.y};
-    const struct way way = {from, to};
+    const struct axis axis = {from, to};
     s->v[0] = from;
     s->v[1] = to;
     s->v[2] = (struct pel_point){from.x - d.y, from.y + d.x};
     s->color[0] = s->color[2] = PEL_RGB(0, 0, 0);
     s->color[1] = PEL_RGB(0, 0, 255);
     s->box = (struct pel_rect){0, 0, length, 16};
-    return way;
+    return axis;
 }
 
-static void draw_linear(const struct pel_surface *s, const struct way *way,
+static void draw_linear(const struct pel_surface *s, const struct axis *axis,
                         const struct pel_ramp *ramp)
 {
     struct pel_linear paint;
     const struct pel_point corner[2] = {
         {PEL_PX(s->bounds.x0), PEL_PX(s->bounds.y0)},
         {PEL_PX(s->bounds.x1), PEL_PX(s->bounds.y1)}};
-    if (pel_linear_init(&paint, way->from, way->to, ramp))
+    if (pel_linear_init(&paint, axis->from, axis->to, ramp))
         method_fail("a linear gradient is refused", "take legal points");
     pel_rectangle(s, corner[0], corner[1], &paint.base.paint);
 }
@@ -296,12 +296,12 @@ static void put_ways(struct atlas *a, int32_t length)
     struct pel_ramp ramp;
     sheet_open(&sheet, a, (struct pel_rect){0, 0, length, 16});
     for (int n = atlas_samples(a, 60, 4); n > 0; n--) {
-        const struct way way = any_way(&r, length, &s);
+        const struct axis axis = any_axis(&r, length, &s);
         for (int k = 0; k < KINDS; k++)
             judge_method(&e[k], &s, &gradient_methods[k]);
         for (int k = 0; k < 2; k++) {
             ramp_of(&ramp, colors, ramps[k].cells);
-            draw_linear(&sheet.surface, &way, &ramp);
+            draw_linear(&sheet.surface, &axis, &ramp);
             judge(&e[KINDS + k], &s, sheet_at, &sheet.surface);
         }
     }

@@ -13,7 +13,8 @@ enum { ORIGIN = 1000, MARGIN = 4 };
 
 enum { PASS = 64, REPEATS = 5 };
 
-static void open_around(struct sheet *s, struct atlas *a, const struct place *p)
+static void open_around(struct sheet *s, struct atlas *a,
+                        const struct square *p)
 {
     const struct pel_rect bounds = {p->x - MARGIN, p->y - MARGIN,
                                     p->x + p->edge + MARGIN,
@@ -21,7 +22,7 @@ static void open_around(struct sheet *s, struct atlas *a, const struct place *p)
     sheet_open(s, a, bounds);
 }
 
-static int samples(const struct atlas *a, const struct place *p)
+static int samples(const struct atlas *a, const struct square *p)
 {
     const int pixels = atlas_samples(a, 100000000, 1500000);
     const int n = pixels / (p->edge * p->edge + 40);
@@ -29,7 +30,7 @@ static int samples(const struct atlas *a, const struct place *p)
 }
 
 static void put_damage(struct atlas *a, const struct fill_method *m,
-                       const struct place *p)
+                       const struct square *p)
 {
     struct sheet s;
     struct tally any = {0}, tied = {0};
@@ -45,8 +46,8 @@ static void put_damage(struct atlas *a, const struct fill_method *m,
                            100 * any.damaged / any.triangles, "%"));
     /* Some of these are clipped. */
     const int32_t beyond = p->edge < 16 ? 0 : MARGIN + 1;
-    const struct place around = {p->x - beyond, p->y - beyond,
-                                 p->edge + 2 * beyond};
+    const struct square around = {p->x - beyond, p->y - beyond,
+                                  p->edge + 2 * beyond};
     for (int n = samples(a, p) / 2; n > 0; n--) {
         tied_triangle(&r, &around, v);
         sheet_judge(&s, m, v, &tied);
@@ -68,7 +69,7 @@ static void count_hits(struct sheet *s, uint8_t *hits)
 static void put_mesh_figures(struct atlas *a, const struct fill_method *m,
                              const struct grid *g, const uint8_t *hits)
 {
-    const int32_t edge = g->place.edge, width = edge + 2 * MARGIN;
+    const int32_t edge = g->square.edge, width = edge + 2 * MARGIN;
     const double cell = edge / g->n, all = (double)edge * edge;
     double twice = 0, gaps = 0;
     for (int32_t i = 0; i < edge * edge; i++) {
@@ -96,9 +97,9 @@ static void put_mesh(struct atlas *a, const struct fill_method *m, int32_t cell)
     const int32_t n = cell <= 32 ? 64 / cell + 4 : 2;
     struct grid g = {{ORIGIN, ORIGIN, n * cell}, n, NULL};
     struct pel_point v[3];
-    open_around(&s, a, &g.place);
+    open_around(&s, a, &g.square);
     g.vertex = method_allocate((n + 1) * (n + 1), sizeof *g.vertex);
-    const int32_t width = g.place.edge + 2 * MARGIN;
+    const int32_t width = g.square.edge + 2 * MARGIN;
     uint8_t *hits = method_allocate(width, (size_t)width);
     grid_make(&r, &g);
     for (int32_t i = 0; i < 2 * n * n; i++) {
@@ -122,7 +123,7 @@ static double time_pass(const struct fill_method *m,
 }
 
 static void put_time(struct atlas *a, const struct fill_method *m,
-                     const struct place *p)
+                     const struct square *p)
 {
     struct sheet s;
     struct random r = atlas_random(a, (uint32_t)p->edge);
@@ -152,14 +153,14 @@ void atlas_damage_time(struct atlas *a)
 {
     for (const struct fill_method *const *m = fill_methods; *m; m++)
         for (int32_t edge = 4; edge <= 1024; edge *= 2)
-            put_time(a, *m, &(struct place){ORIGIN, ORIGIN, edge});
+            put_time(a, *m, &(struct square){ORIGIN, ORIGIN, edge});
 }
 
 void atlas_damage(struct atlas *a)
 {
     for (const struct fill_method *const *m = fill_methods; *m; m++) {
         for (int32_t edge = 4; edge <= 1024; edge *= 2) {
-            put_damage(a, *m, &(struct place){ORIGIN, ORIGIN, edge});
+            put_damage(a, *m, &(struct square){ORIGIN, ORIGIN, edge});
             if (!a->smallest)
                 put_mesh(a, *m, edge);
         }

@@ -9,7 +9,7 @@ static struct tally judge_thin(struct atlas *a, const struct fill_method *m,
                                const struct thin *thin, int n)
 {
     enum { MARGIN = 4 };
-    const struct place p = {0, 0, thin->length + MARGIN};
+    const struct square p = {0, 0, thin->length + MARGIN};
     struct random r =
         atlas_random(a, (uint32_t)(thin->length * 65536 + thin->thickness));
     struct tally t = {0};
@@ -86,7 +86,7 @@ static void put_far(struct atlas *a, const struct fill_method *m, int32_t edge)
 static void put_offset(struct atlas *a, const struct fill_method *m,
                        int32_t offset)
 {
-    const struct place p = {offset, offset, 64};
+    const struct square p = {offset, offset, 64};
     struct random r = atlas_random(a, (uint32_t)offset);
     struct tally t = {0};
     struct pel_point v[3];

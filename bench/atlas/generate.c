@@ -7,7 +7,7 @@ static int32_t clamp_to(int32_t v, int32_t low, int32_t edge)
     return pel_max(PEL_PX(low), pel_min(v, PEL_PX(low + edge)));
 }
 
-void any_triangle(struct random *r, const struct place *p,
+void any_triangle(struct random *r, const struct square *p,
                   struct pel_point v[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -24,7 +24,7 @@ static int32_t tied(struct random *r, int32_t low, int32_t edge)
     return center + (random_between(r, 0, 3) ? 0 : random_between(r, -1, 1));
 }
 
-void tied_triangle(struct random *r, const struct place *p,
+void tied_triangle(struct random *r, const struct square *p,
                    struct pel_point v[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -47,7 +47,7 @@ void tied_triangle(struct random *r, const struct place *p,
     }
 }
 
-void thin_triangle(struct random *r, const struct place *p,
+void thin_triangle(struct random *r, const struct square *p,
                    const struct thin *thin, struct pel_point v[3])
 {
     const double turn =
@@ -71,7 +71,7 @@ void thin_triangle(struct random *r, const struct place *p,
 struct pel_point far_triangle(struct random *r, int32_t edge,
                               struct pel_point v[3])
 {
-    const struct place p = {-(edge + 1) / 2, -(edge + 1) / 2, edge};
+    const struct square p = {-(edge + 1) / 2, -(edge + 1) / 2, edge};
     any_triangle(r, &p, v);
     const double t = random_between(r, 0, 1000) / 1000.0;
     const double x = v[0].x + t * (v[1].x - v[0].x);
@@ -81,13 +81,13 @@ struct pel_point far_triangle(struct random *r, int32_t edge,
 
 void grid_make(struct random *r, struct grid *g)
 {
-    const int32_t cell = g->place.edge / g->n;
+    const int32_t cell = g->square.edge / g->n;
     const int32_t most = cell / 4 < 1 ? 1 : 2 * (cell / 4); /* half pixels */
     for (int32_t i = 0; i <= g->n; i++)
         for (int32_t k = 0; k <= g->n; k++) {
             struct pel_point *p = &g->vertex[i * (g->n + 1) + k];
-            p->x = PEL_PX(g->place.x + k * cell);
-            p->y = PEL_PX(g->place.y + i * cell);
+            p->x = PEL_PX(g->square.x + k * cell);
+            p->y = PEL_PX(g->square.y + i * cell);
             if (k > 0 && k < g->n)
                 p->x += 128 * random_between(r, -most, most);
             if (i > 0 && i < g->n)

@@ -7,17 +7,17 @@
 #include "../random.h"
 
 /* A square of whole pixels that holds the triangles. */
-struct place {
+struct square {
     int32_t x, y, edge; /* px */
 };
 
 /* Vertices anywhere in the square. */
-void any_triangle(struct random *r, const struct place *p,
+void any_triangle(struct random *r, const struct square *p,
                   struct pel_point v[3]);
 
 /* Vertices on pixel centres, a sub-pixel beside them, in line, on one row or in
  * one column: centres on edges. */
-void tied_triangle(struct random *r, const struct place *p,
+void tied_triangle(struct random *r, const struct square *p,
                    struct pel_point v[3]);
 
 /* A long edge of `length` px and a third vertex `thickness` sub-pixels
@@ -25,7 +25,7 @@ void tied_triangle(struct random *r, const struct place *p,
 struct thin {
     int32_t length, thickness;
 };
-void thin_triangle(struct random *r, const struct place *p,
+void thin_triangle(struct random *r, const struct square *p,
                    const struct thin *thin, struct pel_point v[3]);
 
 /* Edges that go anywhere in a square of `edge` px around the middle of the
@@ -36,7 +36,7 @@ struct pel_point far_triangle(struct random *r, int32_t edge,
 /* A mesh over the whole square, of n x n cells: vertices on half pixels. A cell
  * is two triangles; the mesh holds each pixel once. */
 struct grid {
-    struct place place;
+    struct square square;
     int32_t n;
     struct pel_point *vertex; /* (n + 1)^2 */
 };

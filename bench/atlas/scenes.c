@@ -5,7 +5,7 @@
 #include "../method.h"
 
 /* Right, down, away; the eye is 0. */
-struct place {
+struct position {
     double x, y, z;
 };
 
@@ -17,9 +17,10 @@ const struct pel_camera scene_camera = {.target = {0, 0, -PEL_UNITS(1)},
                                         .sensor = {1, 1},
                                         .near_plane = PEL_UNITS(SCENE_NEAR)};
 
-static void add(struct scene *s, struct place a, struct place b, struct place c)
+static void add(struct scene *s, struct position a, struct position b,
+                struct position c)
 {
-    const struct place at[3] = {a, b, c};
+    const struct position at[3] = {a, b, c};
     const double unit = 1 << scene_unit.shift;
     struct scene_triangle *t = &s->triangle[s->n];
     for (int i = 0; i < 3; i++) {
@@ -35,7 +36,7 @@ static void add(struct scene *s, struct place a, struct place b, struct place c)
     s->n += pel_triangle_area(t->v) != 0;
 }
 
-static void add_quad(struct scene *s, const struct place p[4])
+static void add_quad(struct scene *s, const struct position p[4])
 {
     add(s, p[0], p[1], p[2]);
     add(s, p[0], p[2], p[3]);
@@ -45,18 +46,18 @@ static void add_quad(struct scene *s, const struct place p[4])
 typedef double profile(double t);
 
 struct body {
-    struct place center;
+    struct position center;
     double height;
     profile *radius;
 };
 
 /* The ring of a body's points, a little tilted towards the eye. */
-static struct place on_body(const struct body *b, double t, double turn)
+static struct position on_body(const struct body *b, double t, double turn)
 {
     const double r = b->radius(t), x = r * cos(turn), z = r * sin(turn);
     const double y = b->height * (t - .5), c = cos(.4), sine = sin(.4);
-    const struct place p = {b->center.x + x, b->center.y + c * y + sine * z,
-                            b->center.z + c * z - sine * y};
+    const struct position p = {b->center.x + x, b->center.y + c * y + sine * z,
+                               b->center.z + c * z - sine * y};
     return p;
 }
 
@@ -67,7 +68,7 @@ static void add_body(struct scene *s, const struct body *b)
     for (int i = 0; i < DOWN; i++)
         for (int k = 0; k < AROUND; k++) {
             const double t0 = i / (double)DOWN, t1 = (i + 1) / (double)DOWN;
-            const struct place quad[4] = {
+            const struct position quad[4] = {
                 on_body(b, t0, k * step), on_body(b, t0, (k + 1) * step),
                 on_body(b, t1, (k + 1) * step), on_body(b, t1, k * step)};
             add_quad(s, quad);
@@ -94,7 +95,7 @@ static void spheres(struct scene *s, struct random *r)
 
 static void floor_and_objects(struct scene *s, struct random *r)
 {
-    const struct place ground[4] = {
+    const struct position ground[4] = {
         {-2, .5, 1.2}, {2, .5, 1.2}, {2, .5, 5}, {-2, .5, 5}};
     const struct body a = {{-.6, .1, 2.5}, .9, ball};
     const struct body b = {{.4, .2, 2}, .6, waist};
@@ -111,7 +112,7 @@ static void cycle(struct scene *s, struct random *r)
     for (int i = 0; i < 3; i++) {
         const double turn = i * 2.0943951023931953;
         const double c = cos(turn), n = sin(turn);
-        struct place bar[4];
+        struct position bar[4];
         for (int k = 0; k < 4; k++) {
             const double x = k == 0 || k == 3 ? -.8 : .8;
             const double y = k < 2 ? .2 : .35;
@@ -131,7 +132,7 @@ static double any(struct random *r, double low, double high)
 static void soup(struct scene *s, struct random *r)
 {
     for (int i = 0; i < 60; i++) {
-        struct place p[3];
+        struct position p[3];
         for (int k = 0; k < 3; k++) {
             p[k].z = any(r, 1, 4);
             p[k].x = any(r, -.6, .6) * p[k].z;

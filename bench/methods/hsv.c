@@ -23,10 +23,10 @@ static void arrange(int sixth, const int level[4], int rgb[3])
 /* The 8-bit code that is copied most: a turn of 256, sixths of 43 steps. */
 static void steps_43(int hue, int s, int v, int rgb[3])
 {
-    const int h = hue * 256 / 360, sixth = h / 43, rest = (h - sixth * 43) * 6;
+    const int h = hue * 256 / 360, sixth = h / 43, part = (h - sixth * 43) * 6;
     const int level[4] = {(v * (255 - s)) >> 8,
-                          (v * (255 - ((s * rest) >> 8))) >> 8,
-                          (v * (255 - ((s * (255 - rest)) >> 8))) >> 8, v};
+                          (v * (255 - ((s * part) >> 8))) >> 8,
+                          (v * (255 - ((s * (255 - part)) >> 8))) >> 8, v};
     arrange(sixth, level, rgb);
 }
 

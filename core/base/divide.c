@@ -9,14 +9,14 @@ static inline uint32_t divide_by_digits(uint64_t n, uint32_t d)
     for (; d < UINT32_C(0x80000000); d <<= 1)
         n <<= 1;
     const uint32_t high = d >> 16, low = d & 0xFFFF;
-    uint32_t rest = (uint32_t)(n >> 32), next = (uint32_t)n, quotient = 0;
+    uint32_t remainder = (uint32_t)(n >> 32), next = (uint32_t)n, quotient = 0;
     for (int digit = 0; digit < 2; digit++, next <<= 16) {
-        uint32_t q = rest / high, r = rest - q * high;
+        uint32_t q = remainder / high, r = remainder - q * high;
         while (r < 65536 && (q > 65535 || q * low > (r << 16 | next >> 16))) {
             q--;
             r += high;
         }
-        rest = (rest << 16 | next >> 16) - q * d;
+        remainder = (remainder << 16 | next >> 16) - q * d;
         quotient = quotient << 16 | q;
     }
     return quotient;
@@ -71,7 +71,7 @@ PEL_NOINLINE uint64_t pel_divide_fraction(uint64_t n, uint64_t d,
 }
 
 /* Bit by bit. Where n is below 0, floor(n / d) is ~floor((-1 - n) / d). */
-int64_t pel_divide_64(int64_t n, int64_t d, int64_t *rest)
+int64_t pel_divide_64(int64_t n, int64_t d, int64_t *remainder)
 {
     const int64_t sign = n >> 63;
     int64_t quotient = 0, step = d;
@@ -85,7 +85,7 @@ int64_t pel_divide_64(int64_t n, int64_t d, int64_t *rest)
             quotient++;
         }
     }
-    *rest = sign ? d - 1 - n : n;
+    *remainder = sign ? d - 1 - n : n;
     return quotient ^ sign;
 }
 

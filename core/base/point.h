@@ -17,7 +17,7 @@ PEL_BEGIN_DECLS
 
 /* n pixels, -32,768 to 32,767, in sub-pixels, for constant expressions too. A
  * constant may have a fraction, PEL_PX(7.5), and compiles to a whole number of
- * sub-pixels: the rest is cut off. */
+ * sub-pixels: what is left is cut off. */
 #define PEL_PX(n) PEL_CAST(int32_t, (n)*INT64_C(256))
 
 struct pel_point {

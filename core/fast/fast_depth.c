@@ -95,8 +95,8 @@ static PEL_ALWAYS_INLINE void draw_run(const struct steps *s,
     const pel_u64x2 first = {depth, depth};
     pel_u64x2 at[2] = {first + s->depth[0], first + s->depth[1]};
     const uint32_t last = (uint32_t)n - 4;
-    const uint64_t way = last * s->dx;
-    const pel_u64x2 end[2] = {at[0] + way, at[1] + way};
+    const uint64_t length = last * s->dx;
+    const pel_u64x2 end[2] = {at[0] + length, at[1] + length};
     pel_u32x4 end_value = value;
     if (gouraud)
         end_value = pel_gouraud_xrgb4(c + last * s->dcolor, s->dcolor);

@@ -142,10 +142,10 @@ static struct pel_span unpadded(const struct rings *r, int32_t y,
                                 struct pel_span span)
 {
     const struct pel_point c = r->paint->rings.center;
-    const int64_t rest =
+    const int64_t square =
         pel_square(r->pad) - pel_square(pel_pixel_center(y) - c.y);
-    const int32_t half = rest < 0 ? 0 : root_of(rest);
-    if (rest < 0 || span.x0 >= span.x1)
+    const int32_t half = square < 0 ? 0 : root_of(square);
+    if (square < 0 || span.x0 >= span.x1)
         return (struct pel_span){span.x1, span.x1};
     const int32_t x =
         pel_max(span.x0, pel_min(pel_first_pixel(c.x - half), span.x1));
@@ -159,12 +159,12 @@ static PEL_ALWAYS_INLINE void draw_rows(const struct rings *r, bool padded,
 {
     enum { ROWS = 32 };
     struct pel_span pad[2][ROWS];
-    struct pel_spans rest = *r->spans;
-    const struct pel_span *span = rest.span;
-    for (int32_t left = rest.n, y = rest.y; left > 0; left -= rest.n) {
-        rest.n = pel_min(left, ROWS);
-        rest.y = y;
-        for (int32_t i = 0; i < rest.n; i++, span++, y += rest.step) {
+    struct pel_spans part = *r->spans;
+    const struct pel_span *span = part.span;
+    for (int32_t left = part.n, y = part.y; left > 0; left -= part.n) {
+        part.n = pel_min(left, ROWS);
+        part.y = y;
+        for (int32_t i = 0; i < part.n; i++, span++, y += part.step) {
             struct pel_span in = *span;
             if (padded) {
                 in = unpadded(r, y, in);
@@ -174,8 +174,8 @@ static PEL_ALWAYS_INLINE void draw_rows(const struct rings *r, bool padded,
             draw_row(r, y, in, bytes);
         }
         for (int i = 0; padded && i < 2; i++) {
-            rest.span = pad[i];
-            rest.surface->format->fill(&rest, r->ring[r->n - 1].value);
+            part.span = pad[i];
+            part.surface->format->fill(&part, r->ring[r->n - 1].value);
         }
     }
 }

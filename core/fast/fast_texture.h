@@ -32,8 +32,8 @@ struct pel_texture_four {
     pel_u64x2 u[2], v[2];
 };
 
-/* A way to write runs, constant in the loop over spans. */
-struct pel_texture_way {
+/* How runs are written: constant in the loop over spans. */
+struct pel_texture_writer {
     int32_t texel_bytes, pixel_bytes;
     int32_t more; /* 1: it reads the texels further right and down, too;
                      0: it repeats the picture where a mask does */
@@ -51,14 +51,14 @@ static inline bool pel_texture_stride_fits(const struct pel_texture *p,
 /* Runs are inside whose texels and those `more` further right and down are;
  * with a mask any texel is. */
 static PEL_ALWAYS_INLINE struct pel_texture_steps pel_texture_steps_make(
-    const struct pel_texture *p, const struct pel_texture_way *way)
+    const struct pel_texture *p, const struct pel_texture_writer *writer)
 {
     const uint64_t du = p->map.u.dx, dv = p->map.v.dx;
     const uint32_t width = (uint32_t)p->width, height = (uint32_t)p->height;
-    const uint32_t more = (uint32_t)way->more;
+    const uint32_t more = (uint32_t)writer->more;
     const bool all_u = !more && pel_texture_is_masked(p->width, p->wrap_u);
     const bool all_v = !more && pel_texture_is_masked(p->height, p->wrap_v);
-    const uint32_t line = (uint32_t)(p->stride / way->texel_bytes);
+    const uint32_t line = (uint32_t)(p->stride / writer->texel_bytes);
     const pel_u32x4 zero = {0, 0, 0, 0};
     return (struct pel_texture_steps){
         .du = du,

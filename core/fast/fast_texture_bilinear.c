@@ -121,8 +121,8 @@ static PEL_ALWAYS_INLINE void put4(const struct pel_texture_steps *s, int bytes,
 
 #include "fast_texture_runs.inc"
 
-static const struct pel_texture_way from_565 = {2, 4, 1};
-static const struct pel_texture_way from_32 = {4, 4, 1};
+static const struct pel_texture_writer from_565 = {2, 4, 1};
+static const struct pel_texture_writer from_32 = {4, 4, 1};
 
 static bool is_565(const struct pel_texture *p)
 {
@@ -136,15 +136,14 @@ static bool is_fit(const struct pel_texture *p)
            pel_texture_stride_fits(p, is_565(p) ? 2 : 4);
 }
 
-static PEL_ALWAYS_INLINE void put_colors(const struct pel_texture *p,
-                                         const struct pel_texture_axes *a,
-                                         int32_t n, pel_color *out,
-                                         const struct pel_texture_way *way)
+static PEL_ALWAYS_INLINE void put_colors(
+    const struct pel_texture *p, const struct pel_texture_axes *a, int32_t n,
+    pel_color *out, const struct pel_texture_writer *writer)
 {
-    const struct pel_texture_steps s = pel_texture_steps_make(p, way);
+    const struct pel_texture_steps s = pel_texture_steps_make(p, writer);
     const struct pel_texture_run r =
         pel_texture_run_of(&s, a->u.at, a->v.at, (uintptr_t)out, n);
-    put_run(&s, &r, way);
+    put_run(&s, &r, writer);
 }
 
 bool pel_texture_bilinear_run(const struct pel_texture *p,

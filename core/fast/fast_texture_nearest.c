@@ -37,8 +37,8 @@ bool pel_texture_nearest_fast(const struct pel_texture *p,
                               const struct pel_spans *spans,
                               pel_texture_fill *other)
 {
-    static const struct pel_texture_way narrow = {2, 2, 0};
-    static const struct pel_texture_way wide = {4, 4, 0};
+    static const struct pel_texture_writer narrow = {2, 2, 0};
+    static const struct pel_texture_writer wide = {4, 4, 0};
     const struct pel_surface *const s = spans->surface;
     const struct pel_surface *const to = pel_texture_copied_to(p, s);
     if (!pel_texture_stride_fits(p, to ? 2 : 4))

@@ -209,8 +209,8 @@ static bool on_line(int32_t a, int32_t b, int32_t length, int32_t b1)
     }
     if (a < 0 || a > length)
         return false;
-    int64_t rest = (int64_t)2 * b1 * a + length - (int64_t)2 * length * b;
-    return length ? rest >= 0 && rest < 2 * length : b == 0;
+    int64_t remainder = (int64_t)2 * b1 * a + length - (int64_t)2 * length * b;
+    return length ? remainder >= 0 && remainder < 2 * length : b == 0;
 }
 
 bool pel_hit_line(struct pel_point from, struct pel_point to, int32_t x,

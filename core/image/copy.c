@@ -104,21 +104,22 @@ static void copy_run(const struct run *r, uint8_t *to, const uint8_t *from)
 }
 
 /* By memcpy; by pel_copy32, without a key; by copy_run. */
-enum way { AS_THEY_ARE, SET_32, BY_RUNS };
+enum method { AS_THEY_ARE, SET_32, BY_RUNS };
 
-/* A way is a constant, and addresses are no members of the run: then they are
- * in registers, and no line waits for the address of the one before it. */
+/* The method is a constant, and addresses are no members of the run: then they
+ * are in registers, and no line waits for the address of the one before it. */
 static PEL_ALWAYS_INLINE void copy_lines(const struct run *r, uint8_t *to,
-                                         const uint8_t *from, enum way way)
+                                         const uint8_t *from,
+                                         enum method method)
 {
     const ptrdiff_t down = r->to_stride, from_down = r->from_stride;
     const size_t size = (size_t)(r->n * r->bits) / 8;
     for (int32_t rows = r->rows;; to += down, from += from_down) {
-        if (way == BY_RUNS && r->keyed)
+        if (method == BY_RUNS && r->keyed)
             ask_ahead((uintptr_t)to, down, size);
-        if (way == AS_THEY_ARE)
+        if (method == AS_THEY_ARE)
             memcpy(to, from, size);
-        else if (PEL_VECTORS && way == SET_32)
+        else if (PEL_VECTORS && method == SET_32)
             pel_copy32((void *)to, (const void *)from, r->n, r->set);
         else
             copy_run(r, to, from);
@@ -127,8 +128,9 @@ static PEL_ALWAYS_INLINE void copy_lines(const struct run *r, uint8_t *to,
     }
 }
 
-/* How a format of a program's own keeps pixels is its own affair: with a key,
- * unused bits or shared bytes its functions are asked; those of inks, too. */
+/* May this file read and write the pixels itself? It knows where those of Pel's
+ * formats lie. Of a program's own format it copies whole bytes, if all their
+ * bits are color and there is no key; else the format's functions do it. */
 static bool can_copy(const struct pel_format *f, bool keyed)
 {
     if (f->id > PEL_FORMAT_PALETTE8)

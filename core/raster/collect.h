@@ -6,8 +6,8 @@
 #include "../format/word.h"
 #include "paint.h"
 
-/* Spans of a batch; half on small CPUs where code is to be small and so is
- * stack, of which collecting shapes use much. */
+/* Spans of a batch. Shapes that collect them take much stack: half as many with
+ * PEL_SMALL_CODE on CPUs of 32 bits, where there is little. */
 enum {
     PEL_COLLECT_ROWS =
         !PEL_64BIT && PEL_SMALL_CODE ? PEL_BATCH_ROWS / 2 : PEL_BATCH_ROWS

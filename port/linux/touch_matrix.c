@@ -152,9 +152,9 @@ bool pel_touch_matrix_solve(struct pel_touch_matrix *m,
     const double whole = area(told);
     for (int i = 0; i < 3; i++) {
         const int k = (i + 1) % 3;
-        const double way = square(&told[i], &told[k]);
+        const double distance = square(&told[i], &told[k]);
         const double asked = square(&shown[i], &shown[k]);
-        if (!(way > asked / 25 && way < asked * 25))
+        if (!(distance > asked / 25 && distance < asked * 25))
             return false;
     }
     if (!(whole > 0 ? whole > .005 : whole < -.005))

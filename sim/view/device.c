@@ -52,7 +52,8 @@ static bool draw_view(struct pel_surface *surface,
     return done;
 }
 
-/* The picture once more: what a display was handed is its own. */
+/* Draws the picture once more, into a canvas: what was handed to the display
+ * may have changed since. */
 static bool save(struct screen *s, bool last)
 {
     struct canvas canvas;
@@ -69,8 +70,8 @@ static bool save(struct screen *s, bool last)
     return done;
 }
 
-/* Of a sequence that has `used` bytes and ends so: arrows; F1 to F4 or F5,
- * which begin with SS3, or with CSI [ on a virtual terminal. */
+/* The key of a sequence of `used` bytes with this last one: an arrow, or F1 to
+ * F5, whose sequences begin with SS3, or with CSI [ on a virtual terminal. */
 static int sequence_key(size_t used, bool ss3, char end)
 {
     static const int arrows[4] = {PEL_KEY_UP, PEL_KEY_DOWN, PEL_KEY_RIGHT,

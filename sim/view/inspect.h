@@ -30,8 +30,8 @@ void inspect_text(const struct pel_surface *surface,
                   const struct pel_font_asset *font, const char *text,
                   bool below);
 
-/* Pixels around (x, y) of the picture, as pel_lens_draw shows them, with the
- * shapes of the script as their corners are. */
+/* Pixels around (x, y) of the picture, as pel_lens_draw shows them, and over
+ * them the script's circles and the sides between its corners. */
 void inspect_magnifier(const struct pel_surface *surface,
                        const struct pel_surface *picture,
                        const struct script *script, int x, int y);

@@ -6,7 +6,8 @@
 
 #define TURN 6.283185307179586
 
-/* At the zenith, up would point along the view. */
+/* The camera stays below the zenith: there its up would point along the view.
+ */
 #define STEEPEST 0.245 /* turns */
 
 static const double zoom_most = 8;
@@ -69,7 +70,7 @@ void view_zoom(struct view *view, double factor)
     view->zoom = fmin(fmax(view->zoom * factor, 1 / zoom_most), zoom_most);
 }
 
-/* Not computed when it is where it was: rounding would move it. */
+/* An eye that has not moved is not computed again: rounding would move it. */
 static void place_eye(const struct view *view, struct camera *camera)
 {
     const bool closer =
@@ -103,8 +104,8 @@ static void place_sensor(const struct view *view, struct camera *camera,
     camera->height = height;
 }
 
-/* The light that is there where none is named is one that has a name once it is
- * off. */
+/* Switches lights off. Where no light is named core has one of its own; to
+ * switch that off it is named, and made black. */
 static void place_lights(const struct view *view, struct scene_settings *s)
 {
     if (s->lights == 0 && (view->dark & 1)) {

@@ -27,8 +27,8 @@ struct sheet {
     struct canvas canvas;            /* the picture */
     struct inspect inspect;
     struct pel_font_asset font; /* of help and numbers */
-    bool stale;                 /* the picture is not as it should be */
-    struct style *drawn_style;  /* and where they were when it was drawn */
+    bool stale;                 /* the script is to be made anew */
+    struct style *drawn_style;  /* style and figures of the last picture */
     struct figures drawn;
     bool whole;   /* the next picture is drawn whole: not areas alone */
     bool covered; /* something was drawn over the last one */

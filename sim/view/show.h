@@ -30,8 +30,8 @@ struct show {
      * resize. False, with a message. */
     bool (*draw)(struct show *show, const struct pel_surface *surface);
 
-    /* px of the surface: what is not as in the frame before. All of the clip,
-     * unless draw says less. */
+    /* px of the surface that differ from the frame before: all of the clip,
+     * unless draw makes it less. */
     struct pel_dirty_areas changed;
 
     /* What is seen, in a line. */
@@ -39,8 +39,8 @@ struct show {
 
     const char *keys;  /* and what they do, a line each */
     double period;     /* ms from frame to frame; 0: as fast as it goes */
-    double draw_time;  /* ms: of the last frame; of what shows it */
-    int late;          /* frames that came too late; the same */
+    double draw_time;  /* ms for the last frame; the viewer sets this one */
+    int late;          /* and this: frames that came too late */
     int width, height; /* px of a window, unless the user wants others */
 };
 

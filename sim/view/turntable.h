@@ -35,8 +35,8 @@ struct view {
     double tilt;  /* turns by which the camera was raised around its target */
     double zoom;  /* 1: as at the start; larger is closer */
     bool turning; /* spin grows with time */
-    bool lit;     /* is there light? For the one who prepares scenes to tell:
-                     see enum scene_lit */
+    bool lit;     /* is there light (enum scene_lit)? Set by whoever prepares
+                     the scene */
 };
 
 /* Frames the camera of `settings` for their size. False, with a message, when

@@ -70,7 +70,7 @@ bool viewer_inputs(struct viewer *viewer);
 /* Lets the time pass; first prints the keys when there is a user. */
 void viewer_advance(struct viewer *viewer);
 
-/* Milliseconds in which nothing is to be done but for input. */
+/* How many ms a display may wait for input before it calls viewer_advance. */
 int viewer_idle(const struct viewer *viewer);
 
 /* Draws the next frame onto the clip of a surface. False, with a message. */
@@ -83,7 +83,7 @@ bool viewer_is_over(const struct viewer *viewer);
 bool viewer_save(const struct viewer *viewer, const struct pel_surface *surface,
                  bool last);
 
-/* What is seen, and how fast: "60.0 fps, 3.1 ms, ...". */
+/* A line for the window's frame: what is shown, and how fast it is drawn. */
 enum { VIEWER_TITLE_SIZE = SHOW_TITLE_SIZE + 96 };
 void viewer_title(const struct viewer *viewer, char title[VIEWER_TITLE_SIZE]);
 

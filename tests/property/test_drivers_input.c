@@ -1,5 +1,5 @@
-/* Buttons that bounce at random, encoders that do, queues that overflow, and
- * random calibrations: against references that look at all of the past. */
+/* Buttons and encoders that bounce at random, queues that overflow, and random
+ * calibrations, against references that remember every state so far. */
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
 
@@ -48,21 +48,21 @@ static int contacts(int place)
     return order[place & 3];
 }
 
-/* Bounces between two places as often as it likes. Then, with states that are
- * missed: whatever that did to the count, once the knob rests at a detent the
- * next one is told, and told once. */
+/* The knob bounces between two neighbouring states, any number of times. Then,
+ * with states that are missed: whatever that did to the count, once the knob
+ * rests at a detent the next one is told, and told once. */
 TEST(encoders)
 {
     for (struct cases c = cases_of(4000); cases_next(&c);) {
         struct random *r = &c.random;
         const int states = random_word(r) & 1 ? 4 : 2;
         struct pel_encoder knob = {.states = (uint8_t)states};
-        int place = 0, turned = 0, way = 1;
+        int place = 0, turned = 0, direction = 1;
         for (int i = 0; i < 200; i++) {
-            way = random_between(r, 0, 6) ? way : -way;
+            direction = random_between(r, 0, 6) ? direction : -direction;
             for (int bounce = random_between(r, 0, 4) * 2 + 1; bounce;
                  bounce--) {
-                place += bounce & 1 ? way : -way;
+                place += bounce & 1 ? direction : -direction;
                 const int now = contacts(place);
                 turned += pel_encoder_update(&knob, now >> 1, now & 1);
             }
@@ -77,15 +77,15 @@ TEST(encoders)
         pel_encoder_update(&knob, false, false);
         turned = 0;
         for (int i = 1; i <= states; i++) {
-            const int now = contacts(way * i);
+            const int now = contacts(direction * i);
             turned += pel_encoder_update(&knob, now >> 1, now & 1);
         }
-        assert_int_equal(turned, way);
+        assert_int_equal(turned, direction);
     }
 }
 
-/* What comes out went in, in that order; where some is missing stands that it
- * was lost, and nowhere else. */
+/* Events come out in the order in which they went in. Where some were lost, and
+ * nowhere else, an event says so. */
 TEST(queues)
 {
     for (struct cases c = cases_of(2000); cases_next(&c);) {

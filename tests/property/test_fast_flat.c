@@ -26,8 +26,9 @@ static void set_triangle(struct pel_point v[3], int32_t x, int32_t width,
     v[2] = (struct pel_point){third, up ? top - 1 : top + PEL_PX(height)};
 }
 
-/* Each 10th case may be about 128 rows high. xrgb8888 and xbgr8888, the three
- * 5-6-5 formats and xrgb1555; one without any writer of its own. */
+/* Each 10th case may be about 128 rows high. The formats are xrgb8888,
+ * xbgr8888, the three of 5-6-5 bits, xrgb1555, and one that has no writer of
+ * its own. */
 TEST(colors)
 {
     static const int32_t heights[] = {1, 2, 15, 16, 17, 24, 127, 128, 129};

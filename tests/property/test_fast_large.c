@@ -1,7 +1,7 @@
 /* Very tall and very wide triangles into real memory, whole and in parts, which
- * the clip makes and the fast way leaves alone: the same bytes. Heights around
- * the 4,094 rows up to which triangles go the fast way, one row of 20,000 px,
- * and surfaces of 32,767 px, the largest that there are. */
+ * are clipped and so not drawn by core/fast: the same bytes. Heights are around
+ * 4,094 rows, the most that core/fast draws; one row has 20,000 px, and some
+ * surfaces have 32,767 px, the most that there can be. */
 #include <string.h>
 
 #include "tests/support/cases.h"

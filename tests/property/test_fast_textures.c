@@ -1,10 +1,10 @@
-/* The writers of textures (fast_texture_nearest.c, fast_texture_bilinear.c) by
- * triangles, byte for byte against the same triangles in parts, which go
- * through colors, those of bilinear ones the test's own: pictures of every kind
- * and odd sizes, u and v from inside the
- * picture to two pictures outside, runs of every length up to 70 px, each
- * picture in memory of its own size, so that a sanitizer sees what is read
- * beside it. */
+/* The writers of textures (fast_texture_nearest.c, fast_texture_bilinear.c).
+ * Each triangle is compared, byte for byte, with the same one drawn in parts,
+ * which core draws by colors without the writers; of bilinear ones the test
+ * works out these colors itself. Pictures are of every kind and of odd sizes, u
+ * and v go up to two pictures beyond them, runs are up to 70 px long. The
+ * memory of a picture is as large as the picture, so that a sanitizer sees what
+ * is read beside it. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -322,8 +322,8 @@ static void colors_fail(const struct pel_color_paint *paint, int32_t x,
     fail_msg("%d,%d: the writer was not taken", x, y);
 }
 
-/* The writers are there for speed: what they are made for on xrgb8888 must not
- * go the other way. */
+/* The writers are there for speed: the pictures on xrgb8888 that they are made
+ * for must not be drawn without them. */
 TEST(writers_are_taken)
 {
     static const struct {

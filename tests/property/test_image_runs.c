@@ -1,6 +1,7 @@
-/* Pictures of runs: drawn into any format they show what their words say, read
- * by the rule, inside the clip; and of words cut off or of noise what comes
- * before the fault, and nothing beyond them is read (the sanitizers see it). */
+/* Pictures of runs, drawn into any format, show the pixels that the test reads
+ * from their words by the rule, inside the clip. Words that are cut off, or
+ * that are noise, show what comes before the fault; nothing behind them is
+ * read, which the sanitizers watch. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
-/* Scrolls in every format: as if all pixels moved at once; what is exposed is
- * all that nothing moved to. */
+/* Scrolls in every format: as if all pixels moved at once; the area that is
+ * exposed is the one that no pixel moved to. */
 #include "core/image/scroll.h"
 #include "tests/support/canvas.h"
 #include "tests/support/cases.h"

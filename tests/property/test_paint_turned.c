@@ -13,19 +13,19 @@ enum { SIDE = 48, MOST = 24 };
 static pel_color colors[MOST * MOST];
 static uint32_t memory[SIDE * SIDE];
 
-struct place {
+struct texel_point {
     long double u, v; /* texels */
 };
 
 /* What is shown at the centre of a pixel. */
-static struct place place_of(const struct pel_turned_picture *p, int32_t x,
-                             int32_t y)
+static struct texel_point texel_of(const struct pel_turned_picture *p,
+                                   int32_t x, int32_t y)
 {
     const struct pel_point d = pel_direction((uint16_t)p->turn);
     const long double right = x * 256 + 128 - p->at.x;
     const long double down = y * 256 + 128 - p->at.y;
     const long double size = 65536.0L / p->scale / 32768 / 256;
-    const struct place at = {
+    const struct texel_point at = {
         (right * d.x + down * d.y) * size + p->pivot.u / 256.0L,
         (down * d.x - right * d.y) * size + p->pivot.v / 256.0L};
     return at;
@@ -60,7 +60,7 @@ static long double larger(long double a, long double b)
 }
 
 /* Is the texel that was seen the one at `at`, within `off` texels? */
-static bool is_texel(const struct pel_turned_picture *p, struct place at,
+static bool is_texel(const struct pel_turned_picture *p, struct texel_point at,
                      long double off, pel_color seen)
 {
     for (int i = 0; i < 4; i++) {
@@ -75,7 +75,8 @@ static bool is_texel(const struct pel_turned_picture *p, struct place at,
 }
 
 /* How far a place is outside of the picture, px; negative inside. */
-static long double outside(const struct pel_turned_picture *p, struct place at)
+static long double outside(const struct pel_turned_picture *p,
+                           struct texel_point at)
 {
     const long double u = larger(-at.u, at.u - p->texels.width);
     const long double v = larger(-at.v, at.v - p->texels.height);
@@ -94,7 +95,7 @@ TEST(texels_are_where_they_belong)
         pel_clear(&screen, 0);
         assert_int_equal(pel_turned_picture_draw(&screen, &p), PEL_OK);
         for (int32_t i = 0; i < SIDE * SIDE; i++) {
-            const struct place at = place_of(&p, i % SIDE, i / SIDE);
+            const struct texel_point at = texel_of(&p, i % SIDE, i / SIDE);
             const long double rim = outside(&p, at);
             const bool painted = memory[i] != PEL_RGB(0, 0, 0);
             if ((rim > 0.01L && painted) || (rim < -0.01L && !painted) ||

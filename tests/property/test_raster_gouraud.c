@@ -16,8 +16,8 @@ static int64_t bound_at(const struct pel_point v[3], int32_t x, int32_t y)
         if (v[i].y < top->y || (v[i].y == top->y && v[i].x < top->x))
             top = &v[i];
     int64_t dx = x - pel_pixel_of(top->x), dy = y - pel_pixel_of(top->y);
-    int64_t way = (dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy) + 1;
-    return way < 8192 ? way * 128 : 1048576;
+    int64_t distance = (dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy) + 1;
+    return distance < 8192 ? distance * 128 : 1048576;
 }
 
 /* The plane's error in 2^-24 of a step, rounded away from zero; the plane is

@@ -19,13 +19,13 @@ static uint32_t shown[SIDE * SIDE], depths[SIDE * SIDE];
 static void any_points(struct random *r, int16_t at[POOL][3], uint32_t kind)
 {
     const int32_t tilt = random_between(r, -1, 1),
-                  way = random_between(r, 0, 1);
+                  slope = random_between(r, 0, 1);
     for (int i = 0; i < POOL; i++) {
         for (int k = 0; k < 3; k++)
             at[i][k] = (int16_t)(kind == 0 ? random_between(r, -32767, 32767)
                                            : random_between(r, -2, 2) * 12000);
         if (kind == 2)
-            at[i][2] = (int16_t)(tilt * at[i][0] / 2 + way * at[i][1] / 4);
+            at[i][2] = (int16_t)(tilt * at[i][0] / 2 + slope * at[i][1] / 4);
         if (random_word(r) % 16 == 0)
             at[i][i % 3]++;
     }

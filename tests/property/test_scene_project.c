@@ -62,13 +62,15 @@ static void check_vertex(const struct any_scene *s,
 /* `up` nearly along the view, and as long as its range. */
 static void lean(struct random *r, struct pel_camera *c)
 {
-    int64_t way[3], size = 1;
+    int64_t direction[3], size = 1;
     for (int k = 0; k < 3; k++) {
-        way[k] = (int64_t)c->target[k] - c->eye[k];
-        size = way[k] > size ? way[k] : -way[k] > size ? -way[k] : size;
+        direction[k] = (int64_t)c->target[k] - c->eye[k];
+        size = direction[k] > size    ? direction[k]
+               : -direction[k] > size ? -direction[k]
+                                      : size;
     }
     for (int k = 0; k < 3; k++)
-        c->up[k] = (int32_t)(way[k] * ((1 << 30) - 32) / size) +
+        c->up[k] = (int32_t)(direction[k] * ((1 << 30) - 32) / size) +
                    random_between(r, -30, 30);
 }
 

@@ -71,16 +71,18 @@ static void any_camera(struct random *r, struct any_scene *s, int32_t pixels)
 {
     struct pel_camera *c = &s->scene.camera;
     pel_length middle[3], reach = middle_of(s, middle), largest = 0;
-    int32_t way[3];
+    int32_t direction[3];
     for (int k = 0; k < 3; k++) {
-        way[k] = random_between(r, -1000, 1000);
-        largest = pel_max(largest, way[k] < 0 ? -way[k] : way[k]);
+        direction[k] = random_between(r, -1000, 1000);
+        largest =
+            pel_max(largest, direction[k] < 0 ? -direction[k] : direction[k]);
         c->up[k] = random_between(r, -100, 100);
     }
     const int32_t times = random_between(r, 20, 60); /* tenths */
     for (int k = 0; k < 3; k++) {
-        c->eye[k] = middle[k] + (pel_length)((int64_t)reach * times * way[k] /
-                                             (10 * pel_max(largest, 1)));
+        c->eye[k] =
+            middle[k] + (pel_length)((int64_t)reach * times * direction[k] /
+                                     (10 * pel_max(largest, 1)));
         c->target[k] = middle[k] + random_between(r, -reach / 8, reach / 8);
     }
     c->up[random_between(r, 0, 2)] += 1000;

@@ -48,9 +48,9 @@ int32_t canvas_difference(const struct canvas *a, const struct canvas *b);
  * canvas_check(part). */
 void canvas_check_part(const struct canvas *whole, const struct canvas *part);
 
-/* What is drawn in the colors of a function, where `shape` has been hit, or
- * everywhere when it is NULL: they lie over what was there, by the formats'
- * rule, and nothing else has changed. */
+/* Checks what was drawn over a canvas: each pixel that `shape` has hit, or each
+ * one when it is NULL, holds the function's color, mixed with what was there as
+ * its alpha says, and packed; all others are as they were. */
 typedef pel_color canvas_color(const void *paint, int32_t x, int32_t y);
 void canvas_check_drawn(const struct canvas *c, const struct hits *shape,
                         canvas_color *color, const void *paint);

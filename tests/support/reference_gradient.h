@@ -35,9 +35,9 @@ static inline int32_t cells_of(const struct gradient *g)
 static inline wide linear_cell(const struct gradient *g, int32_t x, int32_t y)
 {
     const wide dx = g->to.x - g->at.x, dy = g->to.y - g->at.y;
-    const wide way = dx * (pel_pixel_center(x) - g->at.x) +
-                     dy * (pel_pixel_center(y) - g->at.y);
-    return floor_divide(way * cells_of(g), dx * dx + dy * dy);
+    const wide along = dx * (pel_pixel_center(x) - g->at.x) +
+                       dy * (pel_pixel_center(y) - g->at.y);
+    return floor_divide(along * cells_of(g), dx * dx + dy * dy);
 }
 
 /* The outer radius of ring k - 1. */
