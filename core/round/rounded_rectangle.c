@@ -60,7 +60,7 @@ void pel_rounded_rectangle(const struct pel_surface *surface,
     struct pel_collector c;
     if (!pel_rounded_start(&w, rectangle, &surface->clip))
         return;
-    struct pel_span span;
+    struct pel_span span = {0, 0};
     bool other = true;
     pel_collect_begin(&c, surface, paint);
     for (; w.visible.y0 < w.visible.y1; other = pel_rounded_next(&w)) {
