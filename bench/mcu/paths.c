@@ -43,7 +43,6 @@ static int32_t time_of(draw_function *draw, size_t size)
         const struct pel_rect rows = {0, y, WIDTH, y + ROWS};
         pel_surface_init(&surface, &pel_rgb565_le, band, sizeof band, &rows);
         const uint32_t from = stopwatch_read();
-        const uint32_t from = stopwatch_read();
         if (draw(&surface, &line, &flat.paint, scratch, size))
             return -1;
         time += stopwatch_eighths(from, stopwatch_read());
