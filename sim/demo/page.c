@@ -16,7 +16,7 @@ static const struct page_section first[] = {
      "watch thermostat scope globe badge kiosk game gauge"},
     {"shapes", "Shapes",
      "Whole pixels by an exact rule, or smooth edges by the exact area.",
-     "cover smooth shapes circles polygons lines rules-top-left "
+     "cover smooth strokes shapes circles polygons lines rules-top-left "
      "rules-bottom-left"},
     {"paints", "Paints", "Any paint on any shape, opaque or seen through.",
      "gradients wheel dither glass textures figures figures-flat "

@@ -1,9 +1,9 @@
 /* The commands of scripts, one row of a table each. For sim/script and
  * sim/view.
  *
- * A new one is a row in shapes.c, images.c, paints.c or mesh_commands.c, with
- * the function that it names, and a line of sim/scenes/README.md; a new form of
- * shape is a row of explain.c too. */
+ * A new one is a row in shapes.c, strokes.c, images.c, paints.c or
+ * mesh_commands.c, with the function that it names, and a line of
+ * sim/scenes/README.md; a new form of shape is a row of explain.c too. */
 #ifndef SIM_SCRIPT_COMMANDS_H
 #define SIM_SCRIPT_COMMANDS_H
 
@@ -31,6 +31,8 @@ struct script_pen {
     uint8_t blend;       /* 0, or enum pel_blend_mode + 1 */
     bool collinear_line; /* a triangle without area is a line */
     bool smooth;         /* shapes that have a smooth twin */
+    uint8_t cap, join;   /* of strokes: enum pel_cap, pel_join */
+    int32_t dash[3];     /* its length, the gap, the phase; 0 0: none */
     struct pel_rect clip;
     const struct pel_font_asset *font; /* in force, or NULL */
     bool failed; /* a mesh had too little memory, or a light is one too many */
@@ -114,6 +116,7 @@ struct script_command {
     size_t offset, size, flag;
     enum script_form form;
     enum pel_fill_rule rule; /* of a polygon */
+    bool closed;             /* of a stroke */
     bool outline;            /* draws the outline instead of the shape */
     const struct script_command *next; /* table, in the last row */
 };
@@ -177,8 +180,8 @@ size_t script_paint_size(void);
 /* All commands, the first of script_shapes first. The name NULL ends a table,
  * whose last row says which one is `next`. script_next(the last one) is NULL.
  */
-extern const struct script_command script_shapes[], script_images[],
-    script_paint_commands[], script_mesh_commands[];
+extern const struct script_command script_shapes[], script_strokes[],
+    script_images[], script_paint_commands[], script_mesh_commands[];
 const struct script_command *script_next(const struct script_command *command);
 
 #endif

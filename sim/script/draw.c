@@ -79,6 +79,17 @@ static bool check_whole(const struct script *script,
                             script->height);
 }
 
+/* Does it draw strokes or paths, which have many more sides than points? */
+static bool has_strokes(const struct script *script)
+{
+    const struct script_item *item = script->items;
+    for (; item < script->items + script->item_count; item++)
+        for (const struct script_command *c = script_strokes; c->name; c++)
+            if (item->command == c && c->role == SCRIPT_SHAPE)
+                return true;
+    return false;
+}
+
 bool script_pen_init(struct script_pen *pen, const struct script *script,
                      struct pel_surface *surface)
 {
@@ -86,7 +97,10 @@ bool script_pen_init(struct script_pen *pen, const struct script *script,
     const int32_t width = surface->bounds.x1 - surface->bounds.x0;
     const size_t outline = pel_polygon_outline_scratch_size((int32_t)n);
     const size_t smooth = PEL_SMOOTH_POLYGON_SCRATCH_SIZE(n, width);
-    const size_t size = outline > smooth ? outline : smooth;
+    const size_t stroke =
+        has_strokes(script) ? PEL_SMOOTH_PATH_SCRATCH_SIZE(65536, width) : 0;
+    const size_t polygon = outline > smooth ? outline : smooth;
+    const size_t size = polygon > stroke ? polygon : stroke;
     *pen = (struct script_pen){.surface = surface,
                                .clip = surface->bounds,
                                .script = script,

@@ -202,5 +202,5 @@ const struct script_command script_shapes[] = {
     {"outline polygon nonzero", "pppppp*", "X Y X Y X Y ...", SCRIPT_SHAPE,
      .draw = draw_polygon, .form = FORM_POLYGON, .rule = PEL_NON_ZERO,
      .outline = true},
-    {.next = script_images},
+    {.next = script_strokes},
 };

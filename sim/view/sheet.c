@@ -64,10 +64,12 @@ static struct outline outline_of(const struct sheet *s,
     const char *kinds = item->command->kinds, *length = strrchr(kinds, 'l');
     const bool sized = item->command->form == FORM_RECTANGLE;
     const double r = length && !sized ? v[length - kinds] / 256.0 : 0;
-    const size_t n = strchr(kinds, '*') ? item->count : strspn(kinds, "pi");
+    const size_t first = kinds[0] == KIND_LENGTH; /* the width of a stroke */
+    const size_t n =
+        strchr(kinds, '*') ? item->count - first : strspn(kinds, "pi");
     double low[2] = {1e9, 1e9}, high[2] = {-1e9, -1e9};
     for (size_t i = 0; i < n; i++) {
-        const double at = v[i] / (kinds[0] == KIND_PIXEL ? 1 : 256.0);
+        const double at = v[first + i] / (kinds[0] == KIND_PIXEL ? 1 : 256.0);
         low[i % 2] = fmin(low[i % 2], at - r);
         high[i % 2] =
             fmax(high[i % 2], at + r + (sized ? v[i + 2] / 256.0 : 0));

@@ -30,6 +30,28 @@ same 'outline circle 16 16 9' \
 same 'outline triangle 2 3 30 6 9 28' \
     'outline polygon evenodd 2 3 30 6 9 28'
 
+same 'stroke line 4 4 9 30 9' 'thickline 4 9 30 9 4'
+same 'option cap square\nstroke line 4 6 9 28 9' 'thickline 4 9 30 9 4'
+same 'option cap butt\nstroke line 4 4 9 16 9 30 9' 'rect 4 7 26 4'
+same 'option cap round\nstroke line 8 9 9 9 9' 'circle 9 9 4'
+same 'dash 4 4 0\nstroke line 4 4 9 16 9' 'rect 4 7 4 4\nrect 12 7 4 4'
+same 'dash 4 4 6\ndash 0 0 0\nstroke line 4 4 9 16 9' 'rect 4 7 12 4'
+same 'option join miter\nstroke loop 2 4 4 20 4 20 14 4 14' \
+    'rect 3 3 18 12\npaint flat #000000\nrect 5 5 14 8'
+same 'path evenodd 3 4 10 4 16 4 23 4 23 7 23 11 23 14 16 14 10 14 3 14 3 11 3 7 3 4' \
+    'rect 3 4 20 10'
+same 'stroke curve 4 4 9 10 9 20 9 30 9' 'rect 4 7 26 4'
+same 'paint flat #ffffff80\nstroke line 4 4 9 30 9 4 9' \
+    'paint flat #ffffff80\nstroke line 4 4 9 30 9'
+
+echo 'stroke line 4 0 32766 9 9' |
+    refused_script 2 'stroke line: expected points twice the width away'
+echo 'stroke curve 4 1 2 3 4 5 6 7 8 9 10' |
+    refused_script 2 'stroke curve: expected a point, and three more for each'
+echo 'path nonzero 1 2 3 4 5 6 7 8 9 10' |
+    refused_script 2 'path nonzero: expected a point, and three more for each'
+echo 'dash 0.5 0.25 0' | refused_script 2 'dash: expected a dash and a gap of 1'
+echo 'option cap flat' | refused_script 2 'option cap: flat: expected butt'
 echo 'sector 16 16 9 0.5 0.5' |
     refused_script 2 'sector: FROM and TO are the same angle: 0 1 is the whole'
 echo 'arc 16 16 4 9 1 0' | refused_script 2 'arc: FROM and TO are the same angle'
