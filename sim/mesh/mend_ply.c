@@ -109,6 +109,19 @@ static bool take_line(struct ply *p, char *line, size_t size)
     return true;
 }
 
+/* Is it the first word, whatever comes behind? */
+static bool begins(const char *line, const char *word)
+{
+    const size_t n = strlen(word);
+    return strncmp(line, word, n) == 0 &&
+           (!line[n] || isspace((unsigned char)line[n]));
+}
+
+static bool is_ply(const char *line)
+{
+    return begins(line, "ply") || begins(line, "PLY");
+}
+
 /* Up to end_header. False without a message. */
 static bool read_head(struct ply *p)
 {
@@ -117,10 +130,9 @@ static bool read_head(struct ply *p)
     p->at = p->m->text;
     p->end = p->m->text + p->m->size;
     while (take_line(p, line, sizeof(line))) {
-        if (p->m->line == 1 ? strcmp(line, "ply") != 0
-                            : !read_head_line(p, line))
+        if (p->m->line == 1 ? !is_ply(line) : !read_head_line(p, line))
             return false;
-        if (strcmp(line, "end_header") == 0) {
+        if (begins(line, "end_header")) {
             p->m->line++; /* that of the first element */
             return true;
         }
@@ -139,23 +151,16 @@ static int property_of(const struct element *e, const char *names)
     return -1;
 }
 
-static bool begins(const char *line, const char *word)
-{
-    const size_t n = strlen(word);
-    return strncasecmp(line, word, n) == 0 &&
-           (!line[n] || isspace((unsigned char)line[n]));
-}
-
 /* Of a strip assimp's reader keeps the last triangle alone, and in a header
- * without an end it stays for ever. It refuses what does not begin with ply,
- * or at all. */
+ * without an end, in small letters, it stays for ever. It refuses what does not
+ * begin with ply, or at all. */
 bool mend_ply_check(struct mend *m)
 {
     char line[256];
     unsigned long strips = 0;
     struct ply p = {.m = m, .at = m->text, .end = m->text + m->size};
     bool more = take_line(&p, line, sizeof(line)), ended = false;
-    if (m->size == 0 || (more && !begins(line, "ply")))
+    if (m->size == 0 || (more && strncasecmp(line, "ply", 3) != 0))
         return true;
     while (more && !ended) {
         more = take_line(&p, line, sizeof(line));

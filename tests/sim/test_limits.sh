@@ -35,7 +35,8 @@ for model in OpenGEX/camera.ogex OpenGEX/collada.ogex; do
 done
 # Headers of .ply without an end: assimp would stay in them.
 for cut in 'ply\n' 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n' \
-    'ply\r\nformat ascii 1.0\r\nend_header_' 'ply\nformat ascii 1.0\nend_heade'; do
+    'ply\r\nformat ascii 1.0\r\nend_header_' 'ply\nformat ascii 1.0\nend_heade' \
+    'ply\nformat ascii 1.0\nEnd_header\n' 'Ply a\nformat ascii 1.0\nenD_header\n'; do
     # shellcheck disable=SC2059
     printf "$cut" >"$work/cut.ply"
     refused 'ends inside of its header: expected a line end_header' \

@@ -45,6 +45,8 @@ row own.ply
 printf "${head}element face 1\n$list$(rgb uchar)end_header\n${square}4 0 1 2 3 0 255 0\n" \
     >"$work/quad.ply"
 row quad.ply '00ff00:27,27 00ff00:73,73 00ff00:30,70'
+sed '1s/ply/PLY 1/; s/end_header/& \t/' "$work/uchar.ply" >"$work/blank.ply"
+row blank.ply
 o1='\0\0\200\77' m1='\0\0\200\277' o2='\77\200\0\0' m2='\277\200\0\0' z='\0\0\0\0'
 for order in little big; do
     {

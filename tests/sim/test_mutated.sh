@@ -1,7 +1,8 @@
 #!/bin/sh
 # Files that were changed at random, of every format that pel reads itself or
 # writes anew: each ends in status 0 or 2, within limits and without a crash of
-# the process that reads it, with short messages of printable characters. MUTATIONS=2000 of each; seeds from SEED on.
+# the process that reads it, with short messages of printable characters. MUTATIONS=2000 of each;
+# seeds from SEED on; FILES: of these alone.
 set -u
 . "$(dirname "$0")/lib.sh"
 field=tests/sim/field
@@ -69,10 +70,10 @@ one() { # FILE SEED
     count=$((count + 1))
 }
 cp $field/o_scale.mtl "$work/from.mtl"
-for file in all.obj partial.obj from.mtl g_tex_vc.gltf q_ushort.gltf a.glb \
-    p_facecol.ply a.off a.stl m_bm.3mf \
-    k8.png t4.png cmyk.jpg w565.bmp rle.bmp a.ppm a.pam \
-    a.pbm; do
+files='all.obj partial.obj from.mtl g_tex_vc.gltf q_ushort.gltf a.glb
+    p_facecol.ply a.off a.stl m_bm.3mf
+    k8.png t4.png cmyk.jpg w565.bmp rle.bmp a.ppm a.pam a.pbm'
+for file in ${FILES:-$files}; do
     cp "$work/$file" "$work/base.${file##*.}"
     case $file in
     *.png | *.jpg | *.bmp | *.p?m) "$PEL" import "$work/base.${file##*.}" -o - ;;
