@@ -43,6 +43,12 @@ static bool write_textures(struct import_text *text, const struct model *model,
             return message_error_at(text->options->source, 0,
                                     "lacks a texture that --format writes: "
                                     "expected it beside the mesh");
+        if (t->material.is_colored)
+            message_error_at(text->options->source, 0,
+                             "the colours of its vertices multiply texture "
+                             "%u, which is written as it is",
+                             i + 1);
+        model_add_glow(t);
         if (!import_texture(text, i + 1, &t->picture,
                             t->opaque ? format : &pel_argb8888))
             return false;

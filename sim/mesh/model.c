@@ -226,8 +226,10 @@ void model_free(struct model *model)
     free((void *)m->indices16);
     free((void *)m->indices32);
     free(model->part);
-    for (size_t i = 0; i < model->textures; i++)
+    for (size_t i = 0; i < model->textures; i++) {
         picture_free(&model->texture[i].picture);
+        picture_free(&model->texture[i].glow);
+    }
     free(model->texture);
     memset(model, 0, sizeof(*model));
 }

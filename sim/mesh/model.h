@@ -13,6 +13,8 @@
 struct model_texture {
     struct mesh_material material;
     struct picture picture; /* straight alpha */
+    struct picture glow; /* as large, and empty but where colours of vertices
+                            multiply the texels: this is added after that */
     bool opaque;
 };
 
@@ -59,6 +61,9 @@ double model_middle(const struct model *model, double middle[3]);
 /* Gives the vertices the texels at their uv: those that a program finds which
  * samples there. */
 void model_paint(struct model *model);
+
+/* For those who draw the picture alone: what shines in it, too. */
+void model_add_glow(struct model_texture *texture);
 
 /* A vertex's color as the mesh has it. */
 void model_set_color(uint8_t to[3], pel_color color);

@@ -26,19 +26,22 @@ static pel_color beside(const struct picture *other, const struct picture *p,
             (2 * p->height))[(2 * x + 1) * other->width / (2 * p->width)];
 }
 
+static const double none[4], ones[] = {1, 1, 1, 1};
+static const pel_color white = PEL_RGB(255, 255, 255);
+
 /* Light times light, and what shines by itself. */
-static pel_color linear_texel(const struct mesh_material *m, pel_color texel,
-                              pel_color glow)
+static pel_color linear_texel(const double factor[4], pel_color texel,
+                              const double shine[3], pel_color glow)
 {
     static double linear[256];
     unsigned byte[3];
     for (unsigned i = 0; i < 256 && linear[255] == 0; i++)
         linear[i] = mesh_linear(i);
     for (int k = 0; k < 3; k++)
-        byte[k] = mesh_byte(linear[texel >> (16 - 8 * k) & 255] * m->factor[k] +
-                            linear[glow >> (16 - 8 * k) & 255] * m->glow[k]);
+        byte[k] = mesh_byte(linear[texel >> (16 - 8 * k) & 255] * factor[k] +
+                            linear[glow >> (16 - 8 * k) & 255] * shine[k]);
     return PEL_RGBA(byte[0], byte[1], byte[2],
-                    (pel_color)(pel_alpha(texel) * m->factor[3] + 0.5));
+                    (pel_color)(pel_alpha(texel) * factor[3] + 0.5));
 }
 
 static pel_color tinted(const struct mesh_material *m, pel_color texel)
@@ -54,19 +57,33 @@ static void apply_material(struct model_texture *t, const struct picture *glow)
 {
     const struct mesh_material *m = &t->material;
     const struct picture *p = &t->picture;
+    const bool apart = t->glow.pixels;
     for (int y = 0; y < p->height; y++)
         for (int x = 0; x < p->width; x++) {
             pel_color *texel = &picture_row(p, y)[x];
-            const pel_color white = PEL_RGB(255, 255, 255);
             const pel_color under = m->texture ? *texel : white;
+            const pel_color shine =
+                glow->pixels ? beside(glow, p, x, y) : white;
             const pel_color color =
-                m->is_linear
-                    ? linear_texel(m, under,
-                                   glow->pixels ? beside(glow, p, x, y) : white)
-                    : tinted(m, under);
+                m->is_linear ? linear_texel(m->factor, under,
+                                            apart ? none : m->glow, shine)
+                             : tinted(m, under);
             *texel = (color & 0xFFFFFFu) | alpha_of(m, color) << 24;
+            if (apart)
+                picture_row(&t->glow, y)[x] =
+                    linear_texel(none, white, m->glow, shine) | ~0xFFFFFFu;
         }
     t->opaque = texture_opaque(p);
+}
+
+void model_add_glow(struct model_texture *t)
+{
+    for (int y = 0; y < t->glow.height; y++)
+        for (int x = 0; x < t->glow.width; x++) {
+            pel_color *texel = &picture_row(&t->picture, y)[x];
+            *texel =
+                linear_texel(ones, *texel, ones, picture_row(&t->glow, y)[x]);
+        }
 }
 
 /* The picture of a texture before any material is applied, which is read once.
@@ -126,19 +143,23 @@ static bool is_same(const struct mesh_material *a,
 static uint32_t texture_of(struct model *model, struct originals *originals,
                            const struct mesh_material *material)
 {
-    static const struct picture none;
+    static const struct picture no_picture;
     struct model_texture new = {.material = *material};
     const uint32_t glow = material->glow_texture;
     for (uint32_t i = 0; i < model->textures; i++)
         if (is_same(&model->texture[i].material, material))
             return i + 1;
-    if (copy(&new.picture,
-             original_of(originals,
-                         material->texture ? material->texture : glow)))
-        apply_material(&new, glow ? original_of(originals, glow) : &none);
+    const struct picture *from =
+        original_of(originals, material->texture ? material->texture : glow);
+    const double *shine = material->glow;
+    if (copy(&new.picture, from) &&
+        (!material->is_colored || shine[0] + shine[1] + shine[2] == 0 ||
+         copy(&new.glow, from)))
+        apply_material(&new, glow ? original_of(originals, glow) : &no_picture);
     if (list_add(&model->texture, &model->textures, &new, sizeof(new)))
         return (uint32_t)model->textures;
     picture_free(&new.picture);
+    picture_free(&new.glow);
     return 0;
 }
 
@@ -208,11 +229,14 @@ bool model_add_textures(struct model *model, const struct mesh *mesh,
 static void paint_vertex(uint8_t to[3], const struct model_texture *t,
                          const double at[2])
 {
-    pel_color color = texture_at(&t->picture, at[0], at[1]);
-    uint32_t byte[3] = {pel_red(color), pel_green(color), pel_blue(color)};
-    for (int k = 0; t->material.is_colored && k < 3; k++)
-        byte[k] = mesh_byte(mesh_linear(byte[k]) * mesh_linear(to[k]));
-    model_set_color(to, PEL_RGB(byte[0], byte[1], byte[2]));
+    const pel_color color = texture_at(&t->picture, at[0], at[1]);
+    const double own[] = {mesh_linear(to[0]), mesh_linear(to[1]),
+                          mesh_linear(to[2]), 1};
+    const pel_color glow =
+        t->glow.pixels ? texture_at(&t->glow, at[0], at[1]) : 0;
+    model_set_color(to, t->material.is_colored
+                            ? linear_texel(own, color, ones, glow)
+                            : color);
 }
 
 void model_paint(struct model *model)

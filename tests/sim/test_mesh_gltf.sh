@@ -211,6 +211,22 @@ row '2e0000~:30,30 008200~:70,30 000000:30,70 832900~:70,70' "$vary" \
     "\"pbrMetallicRoughness\": {$base}, \"baseColorFactor\": [0.25, 0.25, 0.25, 1]}" "$i"
 row '070000~:30,30 002400~:70,30 000000:30,70 250600~:70,70' "$vary" \
     "\"pbrMetallicRoughness\": {$base}, \"baseColorFactor\": [0.02, 0.02, 0.02, 1]}" "$i"
+# What shines is added behind that: by a factor, and a texture of its own; with
+# and without another one; in either mapping.
+row 'a28989~:30,30 89ff89~:70,30 898989~:30,70 ff9e89~:70,70' "$vary" \
+    "$texture, \"emissiveFactor\": [0.25, 0.25, 0.25]" "$i"
+row 'c00000~:30,30 00dd00~:70,30 0000bc~:30,70 debf00~:70,70' "$vary" \
+    "\"pbrMetallicRoughness\": {$base}, \"baseColorFactor\": [0.25, 0.25, 0.25, 1]}, $shining" "$i"
+"$PEL" render "$work/a.gltf" --size 100x100 --unlit --texture nearest \
+    --eye 0,0,5 --target 0,0,0 --projection orthographic --sensor 4x4 \
+    --background '#000000' --mapping affine -o "$work/affine.ppm"
+cmp "$work/shows.ppm" "$work/affine.ppm" || fail 'what shines lies elsewhere'
+"$PEL" import "$work/a.gltf" --format xrgb8888 -o - >"$work/a.c" 2>"$work/err" ||
+    fail "import of varying colours: $(cat "$work/err")"
+told 'multiply texture 1, which is written as it is'
+grep -q '0, 225, 255' "$work/a.c" || fail 'what shines is not in the texture'
+row 'cdf200~:30,30 f5ff00~:70,30 5d55bc~:30,70 ffca00~:70,70' "$vary" \
+    "\"emissiveTexture\": {\"index\": 0}, \"emissiveFactor\": [0.5, 0.5, 0.5]" "$i"
 
 # What is below the cutoff is not there, with a texture and without one: red is a
 # quarter before a square that is cut out, or not where it shows a colour.
