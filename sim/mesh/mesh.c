@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "sim/cli/child.h"
 #include "sim/cli/message.h"
@@ -137,10 +138,22 @@ static bool check_mark(const char *path)
                             path);
 }
 
+/* Readers look at the beginning first, some open files again: what a pipe has
+ * would be gone. */
+static bool check_kind(const char *path)
+{
+    struct stat about;
+    return stat(path, &about) != 0 || S_ISREG(about.st_mode) ||
+           S_ISDIR(about.st_mode) ||
+           message_error_at(path, 0,
+                            "is a pipe or a device: expected a regular file, "
+                            "since meshes are read in parts");
+}
+
 static bool put_mesh(const void *path, FILE *out)
 {
     struct mesh mesh = {0};
-    if (!check_mark(path) ||
+    if (!check_kind(path) || !check_mark(path) ||
         !(gltf_is_file(path) ? gltf_load : mesh_load_file)(&mesh, path))
         return false;
     child_put(out, &mesh, sizeof(mesh));
