@@ -73,6 +73,33 @@ static void text(void)
              &flat.paint);
 }
 
+/* `a` of DejaVu Sans, 16 px from side to side of its em: 9 x 9 px of which 24
+ * are clear and 13 full. */
+static void smooth_text(void)
+{
+    static const uint8_t bits[] = {
+        0x01, 0x3A, 0xEF, 0x1E, 0xA2, 0x02, 0x47, 0x43, 0x5C, 0xC0, 0x72, 0xF1,
+        0x40, 0x28, 0xDE, 0xF3, 0x60, 0x19, 0xE6, 0x32, 0x3F, 0x16, 0x01, 0xF1,
+        0x80, 0x32, 0xF1, 0x60, 0x1F, 0x17, 0x03, 0x7F, 0x16, 0x01, 0xBD, 0x20,
+        0x15, 0xEF, 0x16, 0x01, 0x1B, 0xF1, 0xEB, 0x4F, 0x16};
+    static const struct pel_font_glyph glyph = {0, 9, 9, 0, 9, 10};
+    static const struct pel_font_range range = {'a', 1, 0};
+    static const struct pel_font_asset font = {.magic = PEL_FONT_MAGIC,
+                                               .version = PEL_FONT_VERSION,
+                                               .ascent = 15,
+                                               .descent = 4,
+                                               .ranges = 1,
+                                               .glyphs = 1,
+                                               .missing = PEL_FONT_NONE,
+                                               .size = sizeof bits,
+                                               .range = &range,
+                                               .glyph = &glyph,
+                                               .bits = bits,
+                                               .kind = &pel_font_smooth};
+    pel_text(&surface, &(struct pel_text_block){&font, "aaaaaaaaaa", 5, 5},
+             &flat.paint);
+}
+
 static void noise(void)
 {
     for (uint32_t i = 0; i < WIDTH * HEIGHT; i++)
@@ -115,5 +142,6 @@ void fills_report(void)
         case_report("box", name, rectangle, 100 * 50);
         case_report("lines", name, lines, 208);
         case_report("letters", name, text, LETTERS);
+        case_report("smooth-letters", name, smooth_text, 10);
     }
 }

@@ -16,6 +16,10 @@ enum { PEL_FONT_VERSION = 3 };
 /* No glyph has this index. */
 enum { PEL_FONT_NONE = 0xFFFF };
 
+/* In an offset of a kind of more than one bit: no runs (image/smooth_glyph.h).
+ */
+#define PEL_FONT_RAW UINT32_C(0x80000000)
+
 /* One glyph: rows from the top, each begins at a byte, the left pixel in the
  * high bit. An empty one (a space) has width 0 and height 0. */
 struct pel_font_glyph {
@@ -58,6 +62,9 @@ struct pel_font_kind {
     int32_t (*kerning)(const struct pel_font_asset *font,
                        const struct pel_font_glyph *left,
                        const struct pel_font_glyph *right);
+
+    uint8_t bits;  /* of a step of coverage */
+    uint8_t scale; /* of a step, so that the largest becomes 255 */
 };
 
 struct pel_font_asset {

@@ -1,102 +1,185 @@
 #include "smooth_glyph.h"
 
-#include "../smooth/smooth_part.h"
-
 /* Pixels of a glyph. */
 enum { MOST = 255 * 255 };
 
-/* The run at hand, and where the next one lies. */
+/* Pixels of one coverage in a row that are worth a span of their own: full
+ * ones, others behind these, and clear ones. */
+enum { FULL = 3, GAP = 8 };
+
+/* Steps of coverage, as they lie in a glyph: the run at hand, and where the
+ * next one lies. */
 struct runs {
     const uint8_t *at;
-    uint32_t half;    /* 1: the low half of the byte is next */
-    int32_t coverage; /* of 15 */
-    uint32_t left;    /* px */
+    uint32_t shift;      /* bits of the byte that are left */
+    uint32_t bits, most; /* of a step, and the largest */
+    bool is_raw;         /* each is a run of its own */
+    uint32_t step;
+    uint32_t left; /* px */
 };
 
-static uint32_t nibble(struct runs *r)
+/* A step, or a part of a length; what of a byte is left are whole ones. */
+static PEL_ALWAYS_INLINE uint32_t next_step(struct runs *r)
 {
-    r->half ^= 1;
-    return r->half ? *r->at >> 4 : *r->at++ & 15u;
+    uint32_t step = *r->at;
+    r->shift -= r->bits;
+    step = step >> r->shift & r->most;
+    if (r->shift == 0) {
+        r->shift = 8;
+        r->at++;
+    }
+    return step;
 }
 
-static void next_run(struct runs *r)
+/* Takes the length that follows a step. False when it would go on at `end`. */
+static PEL_ALWAYS_INLINE bool take_length(struct runs *r, const uint8_t *end)
 {
-    uint32_t n = nibble(r);
-    r->coverage = (int32_t)n;
-    r->left = 1;
-    if (n > 0 && n < 15)
-        return;
-    r->left = 0;
-    do
-        r->left += n = nibble(r);
-    while (n == 15);
-}
-
-/* The same, of nibbles that may go on beyond `end`; false when they do. */
-static bool skip_run(struct runs *r, const uint8_t *end)
-{
-    uint32_t n = r->at < end ? nibble(r) : 16;
-    r->left = 1;
-    if (n > 0 && n < 15)
-        return true;
+    uint32_t n;
     r->left = 0;
     do {
-        if (r->at >= end)
+        if (r->at == end)
             return false;
-        r->left += n = nibble(r);
-    } while (n == 15);
+        r->left += n = next_step(r);
+    } while (n == r->most);
     return true;
+}
+
+/* False when it would go on at `end`. */
+static inline bool next_run(struct runs *r, const uint8_t *end)
+{
+    if (r->at == end)
+        return false;
+    r->step = next_step(r);
+    r->left = 1;
+    return r->is_raw || r->step - 1 < r->most - 1 || take_length(r, end);
+}
+
+static struct runs runs_of(const struct pel_font_asset *font,
+                           const struct pel_font_glyph *glyph)
+{
+    const uint32_t bits = font->kind->bits;
+    return (struct runs){.at = font->bits + (glyph->offset & ~PEL_FONT_RAW),
+                         .shift = 8,
+                         .bits = bits,
+                         .most = (1u << bits) - 1,
+                         .is_raw = (glyph->offset & PEL_FONT_RAW) != 0};
 }
 
 static bool fits(const struct pel_font_asset *font,
                  const struct pel_font_glyph *glyph)
 {
     const uint8_t *const end = font->bits + font->size;
-    struct runs r = {font->bits + glyph->offset, 0, 0, 0};
+    struct runs r = runs_of(font, glyph);
     uint32_t pixels = (uint32_t)glyph->width * glyph->height;
-    bool good = glyph->offset <= font->size;
+    bool good = (glyph->offset & ~PEL_FONT_RAW) <= font->size;
     while (good && pixels > 0) {
-        good = skip_run(&r, end) && r.left <= MOST;
+        good = next_run(&r, end) && r.left <= MOST;
         pixels -= r.left < pixels ? r.left : pixels;
     }
     return good;
 }
 
-/* One row, of which the pixels inside the clip are painted. */
-static void draw_row(struct pel_smooth *smooth, struct runs *r,
-                     struct pel_point at, int32_t width)
+/* Rows of a glyph on their way to the layer. */
+struct drawing {
+    struct pel_smooth smooth;
+    const struct pel_rect *clip;
+    uint32_t scale; /* of a step, to 255 */
+    int32_t y;
+    int32_t bytes; /* of coverage */
+    bool is_cut;   /* by the clip's sides */
+    struct pel_smooth_batch batch;
+};
+
+/* The next row is y. */
+static void flush(struct drawing *d)
 {
-    const struct pel_rect *const clip = &smooth->target->clip;
-    const bool is_seen = at.y >= clip->y0;
-    struct pel_smooth_part part;
-    struct pel_span run = {at.x, at.x};
-    pel_smooth_part_begin(&part, pel_max(at.x, clip->x0), at.y);
-    for (; run.x1 < at.x + width; run.x0 = run.x1) {
-        if (r->left == 0)
-            next_run(r);
-        const int32_t n = pel_min((int32_t)r->left, at.x + width - run.x0);
-        r->left -= (uint32_t)n;
-        run.x1 = run.x0 + n;
-        const struct pel_span seen = {pel_max(run.x0, clip->x0),
-                                      pel_min(run.x1, clip->x1)};
-        if (is_seen && seen.x0 < seen.x1)
-            pel_smooth_collect(smooth, &part, &seen, r->coverage * 17);
-    }
-    pel_smooth_flush(smooth, &part, at.x);
+    if (d->is_cut)
+        pel_smooth_clip_batch(&d->batch, d->clip);
+    if (d->batch.y >= d->clip->y0)
+        pel_smooth_paint_batch(&d->smooth, &d->batch);
+    d->batch.y = d->y;
+    d->batch.n = 0;
+    d->bytes = 0;
 }
 
+/* Part of a row, from column x on to `end` at most: where it ends. In it are
+ * pixels with a coverage each, then full ones, then others. */
+static PEL_ALWAYS_INLINE int32_t take_part(struct drawing *d, struct runs *r,
+                                           int32_t x, int32_t end)
+{
+    struct pel_smooth_batch *const b = &d->batch;
+    uint8_t *const start = b->coverage + d->bytes, *p = start, *right = NULL;
+    struct pel_span full = {x, x};
+    end = pel_min(end, x + PEL_SMOOTH_BATCH_BYTES - d->bytes);
+    while (x < end) {
+        if (r->left == 0) {
+            r->step = next_step(r);
+            if (r->step - 1 < r->most - 1) {
+                *p++ = (uint8_t)(r->step * d->scale);
+                x++;
+                continue;
+            }
+            r->left = 1;
+            if (!r->is_raw)
+                take_length(r, NULL);
+        }
+        int32_t n = pel_min((int32_t)r->left, end - x);
+        const bool is_first = p == start && !right;
+        if (r->step == 0 && n >= GAP && !is_first && x + n < end)
+            break;
+        r->left -= (uint32_t)n;
+        x += n;
+        if (r->step && n >= FULL && !right) {
+            full = (struct pel_span){x - n, x};
+            right = p;
+        } else if (r->step == 0 && is_first)
+            full.x0 = x;
+        else if (r->step || x < end)
+            for (; n > 0; n--)
+                *p++ = (uint8_t)(r->step * d->scale);
+    }
+    if (!right) {
+        right = p;
+        full.x0 = full.x1 = full.x0 + (int32_t)(p - start);
+    }
+    b->at.full[b->n] = full;
+    b->count[2 * b->n] = (uint8_t)(right - start);
+    b->count[2 * b->n + 1] = (uint8_t)(p - right);
+    b->n++;
+    d->bytes = (int32_t)(p - b->coverage);
+    return x;
+}
+
+/* Rows above the clip are passed. */
 static void draw(const struct pel_surface *surface,
                  const struct pel_font_asset *font,
                  const struct pel_font_glyph *glyph, struct pel_point at,
                  const struct pel_paint *paint)
 {
-    const int32_t end = pel_min(at.y + glyph->height, surface->clip.y1);
-    struct runs r = {font->bits + glyph->offset, 0, 0, 0};
-    struct pel_smooth smooth;
-    if (!pel_smooth_begin(&smooth, surface, paint))
+    const struct pel_rect *const clip = &surface->clip;
+    const int32_t right = at.x + glyph->width;
+    const int32_t end = pel_min(at.y + glyph->height, clip->y1);
+    const int32_t most = pel_min(glyph->width, PEL_SMOOTH_BATCH_BYTES);
+    struct runs r = runs_of(font, glyph);
+    struct drawing d;
+    if (!pel_smooth_begin(&d.smooth, surface, paint))
         return;
-    for (; at.y < end; at.y++)
-        draw_row(&smooth, &r, at, glyph->width);
+    d.clip = clip;
+    d.is_cut = at.x < clip->x0 || right > clip->x1;
+    d.scale = font->kind->scale;
+    d.y = d.batch.y = at.y;
+    d.bytes = d.batch.n = 0;
+    for (int32_t x = at.x; d.y < end;) {
+        if (x > at.x || d.batch.n == PEL_SMOOTH_BATCH_ROWS ||
+            most > PEL_SMOOTH_BATCH_BYTES - d.bytes || d.y <= clip->y0)
+            flush(&d);
+        x = take_part(&d, &r, x, right);
+        if (x == right) {
+            x = at.x;
+            d.y++;
+        }
+    }
+    flush(&d);
 }
 
 static int32_t kerning(const struct pel_font_asset *font,
@@ -120,4 +203,6 @@ static int32_t kerning(const struct pel_font_asset *font,
     return 0;
 }
 
-const struct pel_font_kind pel_font_smooth = {fits, draw, kerning};
+const struct pel_font_kind pel_font_smooth_2 = {fits, draw, kerning, 2, 85};
+const struct pel_font_kind pel_font_smooth = {fits, draw, kerning, 4, 17};
+const struct pel_font_kind pel_font_smooth_8 = {fits, draw, kerning, 8, 1};

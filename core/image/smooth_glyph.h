@@ -1,12 +1,13 @@
-/* Smooth glyphs: coverage in sixteen steps, as runs. A font that `pel import
- * --bits 4` wrote names this kind, and is drawn and measured by the functions
- * of image/glyph_text.h and image/text_column.h in any paint, on any format
- * that can be blended.
+/* Smooth glyphs: coverage in 4, 16 or 256 steps, as runs. A font that `pel
+ * import --bits 2|4|8` wrote names its kind, and is drawn and measured by the
+ * functions of image/glyph_text.h and image/text_column.h in any paint, on any
+ * format that can be blended.
  *
- * A glyph is a row of nibbles, the high half of a byte first, for its pixels
- * row by row: 1 to 14 is a pixel of so many fifteenths, 0 and 15 are followed
- * by the length of a run, as nibbles that add up, of which the last is not 15.
- * Runs go on from row to row. */
+ * A glyph is a row of steps of 2, 4 or 8 bits, the high ones of a byte first,
+ * for its pixels row by row. 0 and the largest are followed by the length of a
+ * run, as numbers of so many bits that add up, of which the last is not the
+ * largest; each other step is a pixel. Runs go on from row to row. Where that
+ * takes less, every step is a pixel: the glyph's offset has PEL_FONT_RAW. */
 #ifndef PEL_IMAGE_SMOOTH_GLYPH_H
 #define PEL_IMAGE_SMOOTH_GLYPH_H
 
@@ -15,7 +16,9 @@
 
 PEL_BEGIN_DECLS
 
+/* Of 4 bits, which is what fonts have unless somebody asks for others. */
 extern const struct pel_font_kind pel_font_smooth;
+extern const struct pel_font_kind pel_font_smooth_2, pel_font_smooth_8;
 
 PEL_END_DECLS
 #endif

@@ -3,8 +3,11 @@
 #include <string.h>
 
 #include "core/format/formats.h"
+#include "core/format/argb8888.h"
 #include "core/image/text_column.h"
 #include "core/image/smooth_glyph.h"
+#include "core/paint/paint_dither.h"
+#include "core/paint/paint_linear.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
 
@@ -12,46 +15,63 @@ enum { SIDE = 48, PIXELS = SIDE * SIDE, MOST = 2 * 255 * 255 };
 
 /* A font of one glyph, for 'a'. */
 struct one {
-    uint8_t level[255 * 255]; /* of 15 */
+    uint8_t level[255 * 255]; /* of the largest step */
     uint8_t bits[MOST];
-    uint32_t nibbles;
+    uint32_t steps;
+    const struct pel_font_kind *kind;
+    bool is_raw;
     struct pel_font_glyph glyph;
     struct pel_font_range range;
     struct pel_font_asset font;
 };
 
+static const struct pel_font_kind *const kinds[] = {
+    &pel_font_smooth_2, &pel_font_smooth, &pel_font_smooth_8};
+
+static int32_t most_of(const struct one *o)
+{
+    return (1 << o->kind->bits) - 1;
+}
+
 static void put(struct one *o, uint32_t value)
 {
-    uint8_t *byte = &o->bits[o->nibbles / 2];
-    *byte = (uint8_t)(o->nibbles % 2 ? *byte | value : value << 4);
-    o->nibbles++;
+    const uint32_t bit = o->steps++ * o->kind->bits;
+    uint8_t *byte = &o->bits[bit / 8];
+    value <<= 8 - o->kind->bits - bit % 8;
+    *byte = (uint8_t)(bit % 8 ? *byte | value : value);
 }
 
 /* Runs may be cut anywhere: some are, here. */
 static void encode(struct random *r, struct one *o, int32_t pixels)
 {
-    o->nibbles = 0;
+    const int32_t most = most_of(o);
+    o->steps = 0;
     for (int32_t i = 0, n; i < pixels; i += n) {
         const uint32_t value = o->level[i];
         put(o, value);
         n = 1;
-        if (value > 0 && value < 15)
+        if (o->is_raw || (value > 0 && (int32_t)value < most))
             continue;
         while (i + n < pixels && o->level[i + n] == value &&
                random_between(r, 0, 200))
             n++;
         int32_t left = n;
-        for (; left >= 15; left -= 15)
-            put(o, 15);
+        for (; left >= most; left -= most)
+            put(o, (uint32_t)most);
         put(o, (uint32_t)left);
     }
+}
+
+static uint32_t bytes_of(const struct one *o)
+{
+    return (o->steps * o->kind->bits + 7) / 8;
 }
 
 static void make_font(struct one *o, int32_t width, int32_t height,
                       uint32_t size)
 {
-    o->glyph =
-        (struct pel_font_glyph){0, (uint8_t)width, (uint8_t)height, 0, 0, 7};
+    o->glyph = (struct pel_font_glyph){
+        o->is_raw ? PEL_FONT_RAW : 0, (uint8_t)width, (uint8_t)height, 0, 0, 7};
     o->range = (struct pel_font_range){'a', 1, 0};
     o->font = (struct pel_font_asset){.magic = PEL_FONT_MAGIC,
                                       .version = PEL_FONT_VERSION,
@@ -62,37 +82,48 @@ static void make_font(struct one *o, int32_t width, int32_t height,
                                       .range = &o->range,
                                       .glyph = &o->glyph,
                                       .bits = o->bits,
-                                      .kind = &pel_font_smooth};
+                                      .kind = o->kind};
+}
+
+static void choose(struct random *r, struct one *o)
+{
+    o->kind = kinds[random_between(r, 0, 2)];
+    o->is_raw = random_between(r, 0, 3) == 0;
 }
 
 static void make(struct random *r, struct one *o)
 {
-    const int32_t most = random_between(r, 0, 50) ? 24 : 255;
-    const int32_t width = random_between(r, 0, most);
-    const int32_t height = random_between(r, 0, most);
+    const int32_t side = random_between(r, 0, 50) ? 24 : 255;
+    const int32_t width = random_between(r, 0, side);
+    const int32_t height = random_between(r, 0, side);
+    choose(r, o);
     for (int32_t i = 0, n; i < width * height; i += n) {
         const int32_t kind = random_between(r, 0, 3);
         n = random_between(r, 1, random_between(r, 0, 9) ? 6 : 400);
         for (int32_t k = i; k < i + n && k < width * height; k++)
-            o->level[k] = (uint8_t)(kind == 0   ? 0
-                                    : kind == 1 ? 15
-                                                : random_between(r, 0, 15));
+            o->level[k] =
+                (uint8_t)(kind == 0   ? 0
+                          : kind == 1 ? most_of(o)
+                                      : random_between(r, 0, most_of(o)));
     }
     encode(r, o, width * height);
-    make_font(o, width, height, (o->nibbles + 1) / 2);
+    make_font(o, width, height, bytes_of(o));
 }
 
 static void print_glyph(const void *value)
 {
     const struct pel_font_glyph *g = value;
-    print_error("glyph %d x %d px\n", g->width, g->height);
+    print_error("glyph %d x %d px%s\n", g->width, g->height,
+                g->offset & PEL_FONT_RAW ? ", raw" : "");
 }
 
 static uint8_t expected(const struct one *o, int32_t x, int32_t y)
 {
     const bool is_in =
         x >= 0 && y >= 0 && x < o->glyph.width && y < o->glyph.height;
-    return is_in ? (uint8_t)(o->level[y * o->glyph.width + x] * 17) : 0;
+    return is_in
+               ? (uint8_t)(o->level[y * o->glyph.width + x] * 255 / most_of(o))
+               : 0;
 }
 
 static struct pel_surface surface_of(uint8_t *pixels)
@@ -145,6 +176,68 @@ TEST(glyphs_are_what_was_written)
     }
 }
 
+/* Full pixels are those of a glyph of one bit, whether they come alone or in
+ * runs: in every format, of a paint that dithers, and one of half alpha. */
+TEST(full_pixels_are_those_of_one_bit)
+{
+    static struct one o;
+    static uint32_t pixels[2][PIXELS];
+    static const pel_color black_to_blue[] = {PEL_RGB(0, 0, 0),
+                                              PEL_RGB(9, 99, 255)};
+    static const struct pel_ramp ramp = {black_to_blue, 2, PEL_PAD};
+    static const struct pel_format *const formats[] = {
+        &pel_rgb565_le, &pel_rgb565_be, &pel_bgr565_le,  &pel_rgb888,
+        &pel_xrgb8888,  &pel_gray8,     &pel_gray4,      &pel_mono1,
+        &pel_rgb332,    &pel_argb8888,  &pel_mono1_pages};
+    for (struct cases c = cases_of(1500); cases_next(&c);) {
+        struct random *r = &c.random;
+        uint8_t stencil[SIDE][SIDE / 8] = {{0}};
+        const int32_t width = random_between(r, 1, SIDE);
+        choose(r, &o);
+        for (int32_t i = 0, n; i < width * SIDE; i += n) {
+            const int32_t value = random_between(r, 0, 1) ? most_of(&o) : 0;
+            n = random_between(r, 1, 12);
+            for (int32_t k = i; k < i + n && k < width * SIDE; k++) {
+                o.level[k] = (uint8_t)value;
+                if (value)
+                    stencil[k / width][k % width / 8] |=
+                        (uint8_t)(0x80 >> k % width % 8);
+            }
+        }
+        encode(r, &o, width * SIDE);
+        make_font(&o, width, SIDE, bytes_of(&o));
+        cases_keep(print_glyph, &o.glyph, sizeof o.glyph);
+        const struct pel_flat glass = PEL_FLAT(PEL_RGBA(255, 90, 0, 128));
+        struct pel_linear slope;
+        struct pel_dither dither;
+        const struct pel_format *format =
+            formats[random_between(r, 0, sizeof formats / sizeof *formats - 1)];
+        pel_linear_init(&slope, (struct pel_point){0, 0},
+                        (struct pel_point){PEL_PX(SIDE), PEL_PX(9)}, &ramp);
+        pel_dither_init(&dither, &slope.base.paint);
+        const struct pel_paint *paint =
+            random_between(r, 0, 1) ? &glass.paint : &dither.paint;
+        for (int k = 0; k < 2; k++) {
+            struct pel_surface s;
+            memset(pixels[k], 0x35, sizeof pixels[k]);
+            assert_int_equal(
+                pel_surface_init(&s, format, pixels[k], sizeof pixels[k],
+                                 &(struct pel_rect){0, 0, SIDE, SIDE}),
+                PEL_OK);
+            const struct pel_text_block text = {&o.font, "a", 0, 0};
+            const struct pel_stencil g = {stencil[0], SIDE / 8, width, SIDE};
+            if (k)
+                pel_text(&s, &text, paint);
+            else
+                pel_glyph(&s, &g, 0, 0, paint);
+        }
+        if (memcmp(pixels[0], pixels[1], sizeof pixels[0]) != 0)
+            fail_msg("format %d, %s: %s", format->id,
+                     paint == &glass.paint ? "glass" : "dither",
+                     cases_replay());
+    }
+}
+
 /* A font that passes its check is drawn from inside its bytes, which end where
  * a sanitizer watches. */
 TEST(no_bytes_are_read_beyond)
@@ -160,10 +253,11 @@ TEST(no_bytes_are_read_beyond)
         for (uint32_t i = 0; i < size; i++)
             bits[40 - size + i] =
                 (uint8_t)(random_word(r) >> random_between(r, 0, 24));
+        choose(r, &o);
         make_font(&o, random_between(r, 0, 20), random_between(r, 0, 20), size);
         cases_keep(print_glyph, &o.glyph, sizeof o.glyph);
         o.font.bits = bits + 40 - size;
-        o.glyph.offset = (uint32_t)random_between(r, 0, (int32_t)size + 1);
+        o.glyph.offset |= (uint32_t)random_between(r, 0, (int32_t)size + 1);
         if (pel_font_asset_check(&o.font) != PEL_OK)
             continue;
         good++;
@@ -179,19 +273,32 @@ TEST(runs_that_are_cut_off)
     static const struct {
         uint8_t bytes[3];
         uint32_t size;
+        int kind; /* of kinds */
+        bool is_raw;
         enum pel_status status;
     } row[] = {
-        {{0x09}, 1, PEL_OK},                     /* nine of 0 */
-        {{0x08}, 1, PEL_ERROR_SIZE},             /* one is missing */
-        {{0xFF}, 1, PEL_ERROR_SIZE},             /* a length goes on */
-        {{0xFF, 0x00}, 2, PEL_OK},               /* fifteen and nothing */
-        {{0x11, 0x11, 0x10}, 3, PEL_ERROR_SIZE}, /* five, and a 0 alone */
-        {{0}, 0, PEL_ERROR_SIZE},
+        {{0x09}, 1, 1, false, PEL_OK},                     /* nine of 0 */
+        {{0x08}, 1, 1, false, PEL_ERROR_SIZE},             /* one is missing */
+        {{0xFF}, 1, 1, false, PEL_ERROR_SIZE},             /* goes on */
+        {{0xFF, 0x00}, 2, 1, false, PEL_OK},               /* fifteen */
+        {{0x11, 0x11, 0x10}, 3, 1, false, PEL_ERROR_SIZE}, /* a 0 alone */
+        {{0}, 0, 1, false, PEL_ERROR_SIZE},
+        {{0x3F}, 1, 0, false, PEL_ERROR_SIZE},       /* 3 3 3 goes on */
+        {{0x3F, 0x00}, 2, 0, false, PEL_OK},         /* 0, 9: 3 3 3 0 */
+        {{0x3E}, 1, 0, false, PEL_ERROR_SIZE},       /* eight of 0 */
+        {{0xFF, 0xFF}, 2, 2, false, PEL_ERROR_SIZE}, /* goes on */
+        {{0x00, 0x09}, 2, 2, false, PEL_OK},         /* nine of 0 */
+        {{0x00, 0xFF, 0x00}, 3, 2, false, PEL_OK},
+        {{0, 0, 0}, 3, 0, true, PEL_OK}, /* nine of 12 */
+        {{0, 0}, 2, 0, true, PEL_ERROR_SIZE},
     };
     for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
         memcpy(o.bits, row[i].bytes, 3);
+        o.kind = kinds[row[i].kind];
+        o.is_raw = row[i].is_raw;
         make_font(&o, 3, 3, row[i].size);
-        assert_int_equal(pel_font_asset_check(&o.font), row[i].status);
+        if (pel_font_asset_check(&o.font) != row[i].status)
+            fail_msg("row %zu", i);
     }
     o.font.pairs = 1;
     assert_int_equal(pel_font_asset_check(&o.font), PEL_ERROR_NULL);
