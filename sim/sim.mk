@@ -5,7 +5,7 @@
 PKG_CONFIG ?= pkg-config
 sim_has = $(shell $(PKG_CONFIG) --exists $(1) 2>/dev/null && echo $(1))
 SIM_PACKAGES := $(strip $(foreach p,assimp jansson libzip expat sdl2 SDL2_image libpng \
-                          libjpeg freetype2,$(call sim_has,$(p))))
+                          libjpeg freetype2 harfbuzz,$(call sim_has,$(p))))
 
 sim_define_assimp := -DHAVE_ASSIMP
 sim_define_sdl2 := -DHAVE_SDL2
@@ -16,6 +16,7 @@ sim_define_jansson := -DHAVE_JANSSON
 sim_define_libzip := -DHAVE_LIBZIP
 sim_define_expat := -DHAVE_EXPAT
 sim_define_freetype2 := -DHAVE_FREETYPE
+sim_define_harfbuzz := -DHAVE_HARFBUZZ
 
 SIM_FLAGS := -D_GNU_SOURCE \
              $(shell $(PKG_CONFIG) --version >/dev/null 2>&1 && \

@@ -172,7 +172,11 @@ static void write_asset(struct import_text *text,
     fprintf(out, "    %lu,\n", (unsigned long)font->size);
     fprintf(out, "    %s_ranges,\n    %s_glyphs,\n    %s_bits,\n", name, name,
             name);
-    fprintf(out, "    %s,\n", font->kind ? "&pel_font_smooth" : "NULL");
+    fprintf(out, "    %s,\n",
+            !font->kind             ? "NULL"
+            : font->kind->bits == 4 ? "&pel_font_smooth"
+            : font->kind->bits == 2 ? "&pel_font_smooth_2"
+                                    : "&pel_font_smooth_8");
     fprintf(out, "    %s%s,\n    %u,\n};\n", font->pairs ? name : "NULL",
             font->pairs ? "_pairs" : "", font->pairs);
 }

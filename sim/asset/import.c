@@ -48,8 +48,8 @@ static bool is_font(const char *path)
         snprintf(name, sizeof name, "%.*s", (int)(dot - path), path);
         path = name;
     }
-    return path_has_ending(
-        path, " .bdf .psf .psfu .pcf .ttf .otf .ttc .woff .woff2 .fnt ");
+    return path_has_ending(path, " .bdf .psf .psfu .pcf .ttf .otf .ttc .woff "
+                                 ".woff2 .pfa .pfb .t1 .fnt ");
 }
 
 static bool is_pel2d(const char *path)
@@ -68,6 +68,14 @@ static bool parse_format(const char *option, const char *text, void *input)
            message_error("--%s is '%s': expected one of %s, "
                          "palette4, palette8, " IMPORT_ALPHA_FORMAT,
                          option, text, format_list());
+}
+
+static bool parse_bits(const char *option, const char *text, void *input)
+{
+    struct import_command *c = input;
+    const int i = choice_find("1|2|4|8", text);
+    c->options.font.bits = 1 << i;
+    return i >= 0 || option_refuse(option, text, "1, 2, 4 or 8");
 }
 
 static const struct option_row output_options[] = {
@@ -102,11 +110,15 @@ static const struct option_row font_options[] = {
      OPTION_TEXT,
      .offset = offsetof(struct import_command, options.font.encoding)},
     {"bits", "N",
-     "of a glyph's pixel: 1, or 4 of coverage, smooth, of a font of outlines "
-     "(1)",
+     "of a glyph's pixel: 1; 2, 4 or 8 of coverage, smooth, of a font of "
+     "outlines (4; 1 of a font of pictures)",
+     OPTION_CALL, .parse = parse_bits},
+    {"hinting", "KIND",
+     "of outlines: none; light, which moves what is level to whole pixels; "
+     "full, stems too (auto: light, or full of 1 bit)",
      OPTION_CHOICE,
-     .offset = offsetof(struct import_command, options.font.is_smooth),
-     .expected = "1|4", .n = 1},
+     .offset = offsetof(struct import_command, options.font.hinting),
+     .expected = "auto|none|light|full", .n = sizeof(enum font_hinting)},
     {"font-size", "PX", "from line to line, of a font of outlines (16)",
      OPTION_INTEGER,
      .offset = offsetof(struct import_command, options.font.size), .low = 1,
@@ -149,7 +161,8 @@ static const char about[] =
     "MESH is a file that assimp reads, or one of " MESH_BUILTINS
     "; PICTURE is a .png, .jpg, .tga, .bmp, .gif, .ppm, .pgm, .pbm "
     "or .pam file; FONT is a "
-    ".bdf, .psf, .pcf, .ttf, .otf or .woff file, packed (.gz) or not. The same "
+    ".bdf, .psf, .pcf, .ttf, .otf, .woff or .pfb file, packed (.gz) or not: "
+    "characters and their pairs, without ligatures, from the left. The same "
     "input gives the same bytes.";
 
 /* The kinds that options are for; those that the table leaves out place, light
@@ -162,7 +175,7 @@ static const struct use {
     {"name", IMPORT_MESH | IMPORT_PICTURE | IMPORT_FONT, "C assets"},
     {"format", IMPORT_PICTURE | IMPORT_MESH, "pictures and textures"},
     {"normals", IMPORT_MESH, "C assets of meshes"},
-    {"codes|chars|encoding|font-size|bits", IMPORT_FONT, "fonts"},
+    {"codes|chars|encoding|font-size|bits|hinting", IMPORT_FONT, "fonts"},
     {"texture-file|normals-from|crease", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
     {"shade|transparency|order|cull|mapping|span", 0, "pel render"},
     {"background|" IMPORT_CHANGE_OPTIONS, IMPORT_PICTURE, "pictures"},

@@ -31,48 +31,65 @@ static size_t place_rows(uint8_t *to, const struct rows *rows, size_t count)
             memcpy(to + size, rows->bits, rows->size);
             size += rows->size;
         }
-        rows->glyph->offset = (uint32_t)(size - rows->size);
+        rows->glyph->offset |= (uint32_t)(size - rows->size);
     }
     return size;
 }
 
-/* The nibbles of a smooth glyph (core/image/smooth_glyph.h). */
-struct nibbles {
-    uint8_t *at;
-    size_t count;
+/* The steps of a smooth glyph (core/image/smooth_glyph.h). */
+struct steps {
+    uint8_t *at; /* all 0 */
+    size_t bits, count;
 };
 
-static void put_nibble(struct nibbles *n, int value)
+static void put_step(struct steps *s, unsigned value)
 {
-    n->at[n->count / 2] |= (uint8_t)(n->count % 2 ? value : value << 4);
-    n->count++;
+    const size_t bit = s->count++ * s->bits;
+    s->at[bit / 8] |= (uint8_t)(value << (8 - s->bits - bit % 8));
 }
 
-/* Of 15. */
-static int step_of(uint8_t level)
+static unsigned step_of(uint8_t level, unsigned most)
 {
-    return (level * 15 + 127) / 255;
+    return (level * most + 127) / 255;
 }
 
-/* Returns the bytes. `to` has room for two nibbles a pixel, all 0. */
-static size_t encode(uint8_t *to, const uint8_t *level, size_t pixels)
+static void put_runs(struct steps *s, const uint8_t *level, size_t pixels)
 {
-    struct nibbles n = {to, 0};
+    const unsigned most = (1u << s->bits) - 1;
     for (size_t i = 0, run = 1; i < pixels; i += run) {
-        const int value = step_of(level[i]);
-        put_nibble(&n, value);
+        const unsigned value = step_of(level[i], most);
+        put_step(s, value);
         run = 1;
-        if (value > 0 && value < 15)
+        if (value > 0 && value < most)
             continue;
-        while (i + run < pixels && step_of(level[i + run]) == value)
+        while (i + run < pixels && step_of(level[i + run], most) == value)
             run++;
-        for (size_t left = run;; left -= 15) {
-            put_nibble(&n, left < 15 ? (int)left : 15);
-            if (left < 15)
-                break;
-        }
+        size_t left = run;
+        for (; left >= most; left -= most)
+            put_step(s, most);
+        put_step(s, (unsigned)left);
     }
-    return (n.count + 1) / 2;
+}
+
+/* As runs, or as they are where that takes less: then the glyph's offset says
+ * so. Returns the bytes. `to` has room for two steps a pixel, all 0. */
+static size_t encode(uint8_t *to, struct pel_font_glyph *glyph,
+                     const uint8_t *level, int bits)
+{
+    const size_t pixels = (size_t)glyph->width * glyph->height;
+    const unsigned most = (1u << bits) - 1;
+    const size_t raw = (pixels * (size_t)bits + 7) / 8;
+    struct steps s = {to, (size_t)bits, 0};
+    put_runs(&s, level, pixels);
+    const size_t size = (s.count * s.bits + 7) / 8;
+    if (size <= raw)
+        return size;
+    memset(to, 0, size);
+    s.count = 0;
+    for (size_t i = 0; i < pixels; i++)
+        put_step(&s, step_of(level[i], most));
+    glyph->offset = PEL_FONT_RAW;
+    return raw;
 }
 
 /* Rows in the asset's own form, malloc'ed. */
@@ -82,9 +99,9 @@ static struct rows rows_of(const struct font *font, const struct font_char *c,
     const uint8_t *bits = font->bits + c->offset;
     const size_t pixels = (size_t)c->width * (size_t)c->height;
     struct rows rows = {NULL, pel_font_glyph_size(glyph), glyph};
-    rows.bits = calloc(font->is_smooth ? pixels + 1 : rows.size + 1, 1);
-    if (rows.bits && font->is_smooth)
-        rows.size = encode(rows.bits, bits, pixels);
+    rows.bits = calloc(font->steps ? 2 * pixels + 1 : rows.size + 1, 1);
+    if (rows.bits && font->steps)
+        rows.size = encode(rows.bits, glyph, bits, font->steps);
     else if (rows.bits)
         memcpy(rows.bits, bits, rows.size);
     return rows;
@@ -223,7 +240,10 @@ bool font_asset_make(struct pel_font_asset *asset, const struct font *font,
     if (done) {
         asset->ranges = fill_ranges(range, font);
         asset->pairs = fill_pairs(pair, font);
-        asset->kind = font->is_smooth ? &pel_font_smooth : NULL;
+        asset->kind = font->steps == 2   ? &pel_font_smooth_2
+                      : font->steps == 4 ? &pel_font_smooth
+                      : font->steps      ? &pel_font_smooth_8
+                                         : NULL;
     } else
         font_asset_free(asset);
     free(rows);

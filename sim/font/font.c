@@ -71,10 +71,11 @@ static bool put_font(const void *what, FILE *out)
         (begins(&file, "\x1F\x8B", 2) && !font_unpack(&file)) ||
         !parse(&font, &file) || !sort(&font, file.path))
         return false;
-    if (file.options.is_smooth && !font.is_smooth)
+    if (file.options.bits > 1 && !font.steps)
         return message_error_at(file.path, 0,
                                 "has pictures of glyphs, no outlines: expected "
-                                "no --bits 4");
+                                "no --bits %d",
+                                file.options.bits);
     fwrite(&font, sizeof font, 1, out);
     child_put(out, font.chars, font.count * sizeof *font.chars);
     child_put(out, font.bits, font.size);
@@ -126,13 +127,14 @@ void font_free(struct font *font)
 struct rows {
     const uint8_t *at;
     size_t stride;
-    bool is_smooth; /* a byte a pixel */
+    bool is_coverage; /* a byte a pixel */
 };
 
 static uint8_t level_at(const struct rows *rows, int x, int y)
 {
     const uint8_t *row = rows->at + (size_t)y * rows->stride;
-    return (uint8_t)(rows->is_smooth ? row[x] : row[x / 8] >> (7 - x % 8) & 1);
+    return (uint8_t)(rows->is_coverage ? row[x]
+                                       : row[x / 8] >> (7 - x % 8) & 1);
 }
 
 /* The glyph without its empty margins; *x0 and *y0 are the column and row where
@@ -169,11 +171,11 @@ bool font_add_alias(struct font *font, uint32_t code)
 bool font_add(struct font *font, const struct font_char *glyph,
               const uint8_t *bits, size_t stride)
 {
-    const struct rows rows = {bits, stride, font->is_smooth};
+    const struct rows rows = {bits, stride, font->steps > 0};
     int x0, y0;
     struct font_char c = trimmed(glyph, &rows, &x0, &y0);
     const size_t row =
-        font->is_smooth ? (size_t)c.width : ((size_t)c.width + 7) / 8;
+        font->steps ? (size_t)c.width : ((size_t)c.width + 7) / 8;
     const size_t bytes = row * (size_t)c.height;
     c.offset = font->size;
     uint8_t *to = realloc(font->bits, font->size + bytes + 1);
@@ -186,7 +188,7 @@ bool font_add(struct font *font, const struct font_char *glyph,
     for (int y = 0; y < c.height; y++, to += row)
         for (int x = 0; x < c.width; x++) {
             const uint8_t level = level_at(&rows, x0 + x, y0 + y);
-            if (font->is_smooth)
+            if (font->steps)
                 to[x] = level;
             else if (level)
                 to[x / 8] |= (uint8_t)(0x80 >> x % 8);

@@ -36,7 +36,8 @@ struct font {
     size_t count;
     uint8_t *bits;
     size_t size;
-    bool is_smooth;          /* bits are bytes of coverage, one a pixel */
+    int steps; /* bits of a step of coverage in the asset; here a byte a pixel.
+                  0: rows of one bit */
     struct font_pair *pairs; /* by left, then right */
     size_t pair_count;
 };
@@ -44,7 +45,13 @@ struct font {
 struct font_options {
     const char *encoding; /* of its codes, by charset_open; NULL: as it says */
     int size;             /* px from line to line of a scalable font */
-    bool is_smooth;       /* coverage, of a scalable font */
+    int bits;             /* of a pixel: 1; of outlines 2, 4, 8; 0: 4 of them */
+    enum font_hinting {
+        FONT_HINTING, /* light, of one bit full */
+        FONT_UNHINTED,
+        FONT_HINTED_LIGHT, /* what is level moves to whole pixels */
+        FONT_HINTED_FULL   /* stems too */
+    } hinting;
     bool (*is_wanted)(long code); /* what is not is left out without a word;
                                      NULL: all are */
 };

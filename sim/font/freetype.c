@@ -1,5 +1,5 @@
-/* What FreeType reads: TrueType, OpenType and WOFF, drawn in one bit, and fonts
- * of bitmaps such as PCF. */
+/* What FreeType reads: TrueType, OpenType, WOFF and Type 1, and fonts of
+ * bitmaps such as PCF. */
 #include "sim/font/font.h"
 
 #include <stdio.h>
@@ -19,6 +19,7 @@
 #include FT_SYSTEM_H
 
 #include "sim/font/charset.h"
+#include "sim/font/kerning.h"
 #include "sim/font/outline.h"
 
 struct reading {
@@ -148,18 +149,31 @@ static bool is_wanted(const struct reading *r, long character)
     return !o->is_wanted || o->is_wanted(character);
 }
 
-/* Loads a glyph; of outlines hints move what is level, as light hinting does,
- * so that stems keep their width. */
+static FT_Int32 flags_of(const struct reading *r)
+{
+    const enum font_hinting hinting = r->file->options.hinting;
+    const FT_Int32 full =
+        r->font->steps ? FT_LOAD_TARGET_NORMAL : FT_LOAD_TARGET_MONO;
+    if (!FT_IS_SCALABLE(r->face))
+        return FT_LOAD_TARGET_MONO | FT_LOAD_MONOCHROME;
+    if (hinting == FONT_UNHINTED)
+        return FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP;
+    if (hinting == FONT_HINTING)
+        return FT_LOAD_NO_BITMAP |
+               (r->font->steps ? FT_LOAD_TARGET_LIGHT : FT_LOAD_TARGET_MONO);
+    return FT_LOAD_NO_BITMAP |
+           (hinting == FONT_HINTED_FULL ? full : FT_LOAD_TARGET_LIGHT);
+}
+
+/* Loads a glyph: its outline, or its picture in one bit. */
 static bool load(const struct reading *r, FT_UInt index)
 {
     const FT_GlyphSlot slot = r->face->glyph;
-    if (r->font->is_smooth)
-        return FT_Load_Glyph(r->face, index,
-                             FT_LOAD_NO_BITMAP | FT_LOAD_TARGET_LIGHT) == 0 &&
-               slot->format == FT_GLYPH_FORMAT_OUTLINE;
-    return FT_Load_Glyph(r->face, index,
-                         FT_LOAD_RENDER | FT_LOAD_TARGET_MONO |
-                             FT_LOAD_MONOCHROME) == 0 &&
+    if (FT_Load_Glyph(r->face, index, flags_of(r)) != 0)
+        return false;
+    if (r->font->steps)
+        return slot->format == FT_GLYPH_FORMAT_OUTLINE;
+    return FT_Render_Glyph(slot, FT_RENDER_MODE_MONO) == 0 &&
            (!slot->bitmap.buffer ||
             slot->bitmap.pixel_mode == FT_PIXEL_MODE_MONO);
 }
@@ -170,7 +184,7 @@ static bool add(struct reading *r, FT_UInt index, long character)
     enum { MOST = FONT_SIZE_MAX };
     const FT_GlyphSlot slot = r->face->glyph;
     uint8_t *level = NULL;
-    if (r->font->is_smooth && !is_wanted(r, character))
+    if (r->font->steps && !is_wanted(r, character))
         return true;
     if (!load(r, index)) {
         r->failed += is_wanted(r, character);
@@ -182,7 +196,7 @@ static bool add(struct reading *r, FT_UInt index, long character)
                           .left = slot->bitmap_left,
                           .top = slot->bitmap_top,
                           .advance = (int)(slot->advance.x + 32) >> 6};
-    if (r->font->is_smooth && !(level = outline_draw(&slot->outline, &c)))
+    if (r->font->steps && !(level = outline_draw(&slot->outline, &c)))
         return false;
     if (c.width > MOST || c.height > MOST || c.left < -MOST || c.left > MOST ||
         c.top > MOST || c.top - c.height < -MOST || c.advance < 0 ||
@@ -200,29 +214,26 @@ static bool add(struct reading *r, FT_UInt index, long character)
 
 /* The pairs of the first characters that are wanted, as many as an asset can
  * have pairs of. */
-static bool add_pairs(struct reading *r)
+static bool add_pairs(const struct reading *r)
 {
     enum { MOST = 256 };
-    FT_UInt glyph[MOST];
     uint32_t code[MOST];
     size_t n = 0;
+    struct kerning kerning;
+    bool done = true;
     for (size_t i = 0; i < r->font->count && n < MOST; i++)
-        if (is_wanted(r, r->font->chars[i].code)) {
-            code[n] = r->font->chars[i].code;
-            glyph[n] = FT_Get_Char_Index(r->face, code[n]);
-            n++;
-        }
-    for (size_t i = 0; i < n * n; i++) {
-        FT_Vector by = {0, 0};
-        FT_Get_Kerning(r->face, glyph[i / n], glyph[i % n], FT_KERNING_DEFAULT,
-                       &by);
-        const struct font_pair pair = {code[i / n], code[i % n],
-                                       (int)(by.x + 32) >> 6};
-        if (pair.x && !list_add(&r->font->pairs, &r->font->pair_count, &pair,
-                                sizeof pair))
-            return false;
+        if (is_wanted(r, r->font->chars[i].code))
+            code[n++] = r->font->chars[i].code;
+    kerning_open(&kerning, r->face, r->file);
+    for (size_t i = 0; done && i < n * n; i++) {
+        const uint32_t left = code[i / n], right = code[i % n];
+        const struct font_pair pair = {
+            left, right, (kerning_of(&kerning, left, right) + 32) >> 6};
+        done = !pair.x || list_add(&r->font->pairs, &r->font->pair_count, &pair,
+                                   sizeof pair);
     }
-    return true;
+    kerning_close(&kerning);
+    return done;
 }
 
 static void report(const struct reading *r)
@@ -300,13 +311,16 @@ bool font_parse_other(struct font *font, const struct font_file *file)
                            (FT_Long)file->size, 0, &r.face) != 0)
         return message_error_at(file->path, 0,
                                 "is no font: expected a BDF, PSF, PCF, "
-                                "TrueType, OpenType or WOFF file");
-    font->is_smooth = file->options.is_smooth && FT_IS_SCALABLE(r.face);
+                                "TrueType, OpenType, WOFF or Type 1 file");
+    if (FT_IS_SCALABLE(r.face))
+        font->steps = file->options.bits == 0   ? 4
+                      : file->options.bits == 1 ? 0
+                                                : file->options.bits;
     if (!set_size(&r) || !check_encoding(&r) || !set_charset(&r) ||
         !set_lines(&r) || !add_all(&r))
         return false;
     report(&r);
-    return !font->is_smooth || !FT_HAS_KERNING(r.face) || add_pairs(&r);
+    return !font->steps || add_pairs(&r);
 }
 
 #else

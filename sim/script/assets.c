@@ -37,7 +37,7 @@ static bool load_font(struct script_asset *asset, const char *path)
 {
     const struct font_options options = {.size = asset->size ? asset->size
                                                              : FONT_SIZE,
-                                         .is_smooth = asset->size > 0};
+                                         .bits = asset->size > 0 ? 4 : 1};
     struct font font;
     const bool done = font_load(&font, path, &options) &&
                       font_asset_make(&asset->font, &font, path);

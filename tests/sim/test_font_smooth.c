@@ -93,9 +93,9 @@ TEST(levels_are_those_of_freetype)
         struct difference d = {0, 0, 0};
         struct font font;
         const struct font_options options = {
-            .size = size[i], .is_smooth = true, .is_wanted = is_ascii};
+            .size = size[i], .bits = 4, .is_wanted = is_ascii};
         assert_true(font_load(&font, path, &options));
-        assert_true(font.is_smooth && font.pair_count > 0);
+        assert_true(font.steps == 4 && font.pair_count > 0);
         FT_Size_RequestRec request = {FT_SIZE_REQUEST_TYPE_CELL, 0,
                                       size[i] * 64, 0, 0};
         do
