@@ -86,10 +86,10 @@ $(BUILD)/examples/fixed_%.c: sim/scenes/fixed_%.bdf $(BUILD)/pel
 # Letters of DejaVu (fonts-dejavu-core), NAME_PX, or without FreeType and it a font
 # that is here; pictures, drawn by scripts.
 DEJAVU := /usr/share/fonts/truetype/dejavu
-EXAMPLE_FONT_sans := DejaVuSans.ttf --codes 32-126,0xB0 --bits 4
-EXAMPLE_FONT_digits := DejaVuSans.ttf --chars "0123456789.° " --bits 4
-EXAMPLE_FONT_bold := DejaVuSans-Bold.ttf --codes 32-126
-EXAMPLE_FONT_mono := DejaVuSansMono.ttf --codes 32-126,0x201C-0x201D
+EXAMPLE_FONT_sans := DejaVuSans.ttf --codes 32-126,0xB0
+EXAMPLE_FONT_digits := DejaVuSans.ttf --chars "0123456789.° "
+EXAMPLE_FONT_bold := DejaVuSans-Bold.ttf --codes 32-126 --bits 1
+EXAMPLE_FONT_mono := DejaVuSansMono.ttf --codes 32-126,0x201C-0x201D --bits 1
 define example_font
 $(BUILD)/examples/$1_%.c: $(BUILD)/pel
 	@mkdir -p $$(@D)

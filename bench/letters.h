@@ -21,7 +21,8 @@ static const struct pel_font_asset letters = {PEL_FONT_MAGIC,
                                               letters_bits,
                                               NULL,
                                               NULL,
-                                              0};
+                                              0,
+                                              NULL};
 static const char letters_line[] = "AAAAAAAAAAAAAAAAAAAAAAAA";
 
 #endif

@@ -67,7 +67,8 @@ static void text(void)
                                                bits[0],
                                                NULL,
                                                NULL,
-                                               0};
+                                               0,
+                                               NULL};
     pel_text(&surface,
              &(struct pel_text_block){&font, "ABCDABCDABCDABCDAB", 5, 5},
              &flat.paint);

@@ -80,6 +80,8 @@ struct pel_font_asset {
     const struct pel_font_kind *kind; /* NULL: one bit, no pairs */
     const struct pel_font_pair *pair; /* by left, then right */
     uint16_t pairs;
+    const struct pel_font_asset *next; /* asked for what this one lacks, checked
+                                          by itself; NULL at the end */
 };
 
 /* Bytes of a 1-bit glyph's rows, for constant expressions and as a function. */

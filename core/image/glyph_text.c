@@ -151,8 +151,8 @@ uint32_t pel_utf8_next(const char **text)
     return code;
 }
 
-const struct pel_font_glyph *pel_glyph_find(const struct pel_font_asset *font,
-                                            uint32_t code)
+static const struct pel_font_glyph *find(const struct pel_font_asset *font,
+                                         uint32_t code)
 {
     int32_t low = 0, high = font->ranges;
     while (low < high) {
@@ -165,7 +165,22 @@ const struct pel_font_glyph *pel_glyph_find(const struct pel_font_asset *font,
         else
             return &font->glyph[r->glyph + (code - r->first)];
     }
-    return font->missing == PEL_FONT_NONE ? NULL : &font->glyph[font->missing];
+    return NULL;
+}
+
+const struct pel_font_glyph *pel_glyph_find(const struct pel_font_asset **font,
+                                            uint32_t code)
+{
+    const struct pel_font_asset *const first = *font;
+    for (const struct pel_font_asset *f = first; f; f = f->next) {
+        const struct pel_font_glyph *const glyph = find(f, code);
+        *font = f;
+        if (glyph)
+            return glyph;
+    }
+    *font = first;
+    return first->missing == PEL_FONT_NONE ? NULL
+                                           : &first->glyph[first->missing];
 }
 
 /* The glyph with its pen at (x, y), which is far outside of every surface when
@@ -210,10 +225,11 @@ void pel_text_until(const struct pel_surface *surface,
             before = NULL;
             continue;
         }
-        const struct pel_font_glyph *glyph = pel_glyph_find(text->font, code);
+        const struct pel_font_asset *font = text->font;
+        const struct pel_font_glyph *glyph = pel_glyph_find(&font, code);
         if (glyph) {
-            pen.x += pel_glyph_kerning(text->font, before, glyph);
-            draw(surface, text->font, glyph, pen, paint);
+            pen.x += pel_glyph_kerning(font, before, glyph);
+            draw(surface, font, glyph, pen, paint);
             pen.x += glyph->advance;
             before = glyph;
         }

@@ -40,10 +40,14 @@ void pel_text_until(const struct pel_surface *surface,
 /* Paints the text. Glyphs stand in boxes `advance` wide, closer or further
  * apart by the font's pairs, and ascent + descent high; the pen starts at x
  * with the baseline `ascent` below y. A line feed goes back to x and down by a
- * line. Characters that the font lacks show its `missing` glyph. Each glyph is
- * a shape of its own: where two overlap, which takes a font whose glyphs reach
- * beyond their boxes, both are painted. x or y out of range is a broken
- * contract: PEL_ASSERT, and nothing is drawn. For strings up to 2^22 bytes. */
+ * line. Characters that the font lacks are those of the next one in its chain,
+ * on the same baseline, or show its own `missing` glyph. Marks that combine
+ * have an advance of 0 and stand on what was before them; text is not turned
+ * round for scripts that go from right to left, nor are its letters joined.
+ * Each glyph is a shape of its own: where two overlap, which takes a font whose
+ * glyphs reach beyond their boxes, both are painted. x or y out of range is a
+ * broken contract: PEL_ASSERT, and nothing is drawn. For strings up to 2^22
+ * bytes. */
 static inline void pel_text(const struct pel_surface *surface,
                             const struct pel_text_block *text,
                             const struct pel_paint *paint)
@@ -61,9 +65,8 @@ struct pel_text_size pel_text_measure(const struct pel_font_asset *font,
  * than U+10FFFF) give U+FFFD once for every sequence that breaks off. */
 uint32_t pel_utf8_next(const char **text);
 
-/* What the font's pairs move the pen between two glyphs, px; either may be
- * NULL.
- */
+/* What the font's pairs move the pen between two glyphs, px: 0 where the left
+ * one is another font's; either may be NULL. */
 static inline int32_t pel_glyph_kerning(const struct pel_font_asset *font,
                                         const struct pel_font_glyph *left,
                                         const struct pel_font_glyph *right)
@@ -72,8 +75,13 @@ static inline int32_t pel_glyph_kerning(const struct pel_font_asset *font,
                                        : 0;
 }
 
-/* The glyph of a code point, or else the font's `missing` one, or NULL. */
-const struct pel_font_glyph *pel_glyph_find(const struct pel_font_asset *font,
+/* The glyph of a code point in the first of a chain of fonts that has it, which
+ * *font becomes; else the `missing` one of *font, or NULL. */
+const struct pel_font_glyph *pel_glyph_find(const struct pel_font_asset **font,
                                             uint32_t code);
+
+/* How many characters of a text no font of the chain has. */
+uint32_t pel_text_missing(const struct pel_font_asset *font,
+                          const char *string);
 PEL_END_DECLS
 #endif

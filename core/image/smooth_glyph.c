@@ -186,6 +186,8 @@ static int32_t kerning(const struct pel_font_asset *font,
                        const struct pel_font_glyph *left,
                        const struct pel_font_glyph *right)
 {
+    if ((uintptr_t)left - (uintptr_t)font->glyph >= font->glyphs * sizeof *left)
+        return 0;
     const ptrdiff_t a = left - font->glyph, b = right - font->glyph;
     const uint32_t wanted = (uint32_t)a << 8 | (uint32_t)b;
     int32_t low = 0, high = font->pairs;

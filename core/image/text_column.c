@@ -20,12 +20,12 @@ static struct line line_at(const struct pel_text_column *column,
             fits.next = *at ? at + 1 : NULL;
             return fits;
         }
+        const struct pel_font_asset *font = column->text.font;
         const struct pel_font_glyph *glyph =
-            pel_glyph_find(column->text.font, pel_utf8_next(&next));
+            pel_glyph_find(&font, pel_utf8_next(&next));
         before = x;
         if (glyph) {
-            x += pel_glyph_kerning(column->text.font, last, glyph) +
-                 glyph->advance;
+            x += pel_glyph_kerning(font, last, glyph) + glyph->advance;
             last = glyph;
         }
         if (*at == ' ')

@@ -140,7 +140,7 @@ static void write_asset(struct import_text *text,
                         const struct pel_font_asset *font)
 {
     FILE *out = text->output.stream;
-    const char *name = text->options->name;
+    const char *name = text->options->name, *next = text->options->next;
     const struct import_array bits = {"uint8_t", "bits", font->size, 1,
                                       font->bits};
     import_array(text, &bits);
@@ -163,6 +163,8 @@ static void write_asset(struct import_text *text,
     import_array_end(text);
     if (font->pairs)
         write_pairs(text, font);
+    if (next)
+        fprintf(out, "\nextern const struct pel_font_asset %s;\n", next);
     import_struct_begin(text);
     fprintf(out, "    PEL_FONT_MAGIC,\n    PEL_FONT_VERSION,\n");
     fprintf(out, "    %u, /* px above the baseline */\n", font->ascent);
@@ -177,8 +179,9 @@ static void write_asset(struct import_text *text,
             : font->kind->bits == 4 ? "&pel_font_smooth"
             : font->kind->bits == 2 ? "&pel_font_smooth_2"
                                     : "&pel_font_smooth_8");
-    fprintf(out, "    %s%s,\n    %u,\n};\n", font->pairs ? name : "NULL",
+    fprintf(out, "    %s%s,\n    %u,\n", font->pairs ? name : "NULL",
             font->pairs ? "_pairs" : "", font->pairs);
+    fprintf(out, "    %s%s,\n};\n", next ? "&" : "", next ? next : "NULL");
 }
 
 static bool write_file(const struct import_options *options,

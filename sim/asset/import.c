@@ -113,6 +113,10 @@ static const struct option_row font_options[] = {
      "of a glyph's pixel: 1; 2, 4 or 8 of coverage, smooth, of a font of "
      "outlines (4; 1 of a font of pictures)",
      OPTION_CALL, .parse = parse_bits},
+    {"next", "NAME",
+     "of the C object of another font, which is asked for the characters that "
+     "this one lacks",
+     OPTION_TEXT, .offset = offsetof(struct import_command, options.next)},
     {"hinting", "KIND",
      "of outlines: none; light, which moves what is level to whole pixels; "
      "full, stems too (auto: light, or full of 1 bit)",
@@ -175,7 +179,7 @@ static const struct use {
     {"name", IMPORT_MESH | IMPORT_PICTURE | IMPORT_FONT, "C assets"},
     {"format", IMPORT_PICTURE | IMPORT_MESH, "pictures and textures"},
     {"normals", IMPORT_MESH, "C assets of meshes"},
-    {"codes|chars|encoding|font-size|bits|hinting", IMPORT_FONT, "fonts"},
+    {"codes|chars|encoding|font-size|bits|hinting|next", IMPORT_FONT, "fonts"},
     {"texture-file|normals-from|crease", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
     {"shade|transparency|order|cull|mapping|span", 0, "pel render"},
     {"background|" IMPORT_CHANGE_OPTIONS, IMPORT_PICTURE, "pictures"},
@@ -247,7 +251,7 @@ static bool check(struct import_command *c)
     return (picture || font || check_mesh(input)) &&
            check_options(&c->scene.given, c->kind) &&
            (c->kind == IMPORT_PEL2D || import_name_check(o->name)) &&
-           import_codes_check(o);
+           (!o->next || import_name_check(o->next)) && import_codes_check(o);
 }
 
 /* With Gouraud's colors at the vertices, whatever draws them. */

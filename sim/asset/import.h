@@ -42,6 +42,7 @@ struct import_options {
     const char *output; /* file or "-" */
     const char *name;   /* of the C object */
     struct font_options font;
+    const char *next;     /* the C object of a font that is asked next; NULL */
     const char *codes;    /* of a font: code points to keep, or NULL ... */
     const char *chars;    /* ... and characters; without either all */
     pel_color background; /* of a picture's transparent parts, opaque */

@@ -59,6 +59,9 @@ static const struct library {
 #ifndef HAVE_JANSSON
     {"jansson", "libjansson-dev", "reads glTF meshes"},
 #endif
+#ifndef HAVE_HARFBUZZ
+    {"HarfBuzz", "libharfbuzz-dev", "reads pairs of fonts that stand closer"},
+#endif
 #ifndef HAVE_FREETYPE
     {"FreeType", "libfreetype-dev", "reads TrueType, PCF and packed fonts"},
 #endif

@@ -13,8 +13,8 @@
 struct model_texture {
     struct mesh_material material;
     struct picture picture; /* straight alpha */
-    struct picture glow; /* as large, and empty but where colours of vertices
-                            multiply the texels: this is added after that */
+    struct picture glow;    /* as large, and empty but where colours of vertices
+                               multiply the texels: this is added after that */
     bool opaque;
 };
 

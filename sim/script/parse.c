@@ -141,7 +141,8 @@ static bool check_text(const struct script_parser *p, int32_t text)
     while (*c) {
         const char *const from = c;
         const uint32_t code = pel_utf8_next(&c);
-        if (code != '\n' && !pel_glyph_find(&assets[p->font].font, code))
+        const struct pel_font_asset *font = &assets[p->font].font;
+        if (code != '\n' && !pel_glyph_find(&font, code))
             return ERROR_AT(p,
                             "text: the font has no %.*s (U+%04lX), and no "
                             "glyph for what it lacks",

@@ -46,7 +46,8 @@ static void text(struct api *a, const struct pel_surface *surface,
                                         bits,
                                         NULL,
                                         NULL,
-                                        0};
+                                        0,
+                                        NULL};
     const struct pel_point at = api_point(a);
     const struct pel_text_block block = {&font, string, at.x, at.y};
     for (size_t i = 0; i < sizeof string - 1; i++)

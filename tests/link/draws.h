@@ -84,7 +84,31 @@ static inline void draw_text(const struct pel_paint *paint)
     pel_text(&screen, &text, paint);
 }
 
-/* All of them, each as EACH(name). */
+/* The same characters, of 4 bits. */
+static inline void draw_smooth_text(const struct pel_paint *paint)
+{
+    static const uint8_t bits[8] = {0x1F, 0x38, 0x0C, 0xF2,
+                                    0x03, 0x4F, 0x30, 0x61};
+    static const struct pel_font_range range = {'a', 2, 0};
+    static const struct pel_font_glyph glyph[2] = {
+        {0, 4, 4, 0, 7, 9}, {PEL_FONT_RAW, 4, 4, 0, 6, 8}};
+    static const struct pel_font_asset font = {.magic = PEL_FONT_MAGIC,
+                                               .version = PEL_FONT_VERSION,
+                                               .ascent = 7,
+                                               .descent = 1,
+                                               .ranges = 1,
+                                               .glyphs = 2,
+                                               .missing = 1,
+                                               .size = 8,
+                                               .range = &range,
+                                               .glyph = glyph,
+                                               .bits = bits,
+                                               .kind = &pel_font_smooth};
+    static const struct pel_text_block text = {&font, "ab?\na", 40, 50};
+    pel_text(&screen, &text, paint);
+}
+
+/* All of them but smooth ones, each as EACH(name). */
 #define EVERY_DRAW(EACH)                                                      \
     EACH(triangle), EACH(triangle_or_line), EACH(polygon), EACH(rectangle),   \
         EACH(line), EACH(thick_line), EACH(circle), EACH(ring), EACH(sector), \

@@ -10,7 +10,7 @@ include port/cortex_m/cortex_m.mk
 LINK_SHAPES := triangle triangle_or_line polygon rectangle line thick_line \
     circle ring sector arc ellipse rounded_rectangle triangle_outline \
     rectangle_outline rounded_rectangle_outline circle_outline \
-    ellipse_outline arc_outline polygon_outline text
+    ellipse_outline arc_outline polygon_outline text smooth_text
 LINK_PAINTS := flat flat_alpha gouraud linear radial conic hue fan nearest \
     nearest_colors bilinear dither blend checker hatch nine_slice user
 # Chips of drivers/panel.h, of which every CPU has two.

@@ -326,7 +326,8 @@ TEST(pairs)
                                                bits,
                                                &pel_font_smooth,
                                                pair,
-                                               2};
+                                               2,
+                                               NULL};
     const struct {
         const char *text;
         int32_t width;

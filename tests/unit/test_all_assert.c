@@ -211,8 +211,8 @@ TEST(places)
     static const struct pel_font_glyph glyph = {0, 8, 1, 0, 1, 255};
     static const uint8_t bits[1] = {255};
     static const struct pel_font_asset font = {
-        PEL_FONT_MAGIC, PEL_FONT_VERSION, 255,  255,  0,    1, 0, 1,
-        NULL,           &glyph,           bits, NULL, NULL, 0};
+        PEL_FONT_MAGIC, PEL_FONT_VERSION, 255,  255,  0,    1, 0,   1,
+        NULL,           &glyph,           bits, NULL, NULL, 0, NULL};
     static const int32_t place[] = {INT32_MIN, -65537, 65537, INT32_MAX};
     struct pel_point rim[3] = {{1, 2}, {3, 4}, {5, 6}};
     uint32_t pixel = 0;

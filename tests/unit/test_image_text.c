@@ -24,8 +24,14 @@ static const struct pel_font_range ranges[] = {
     {' ', 1, 1}, {'a', 2, 2}, {0x20AC, 1, 3}};
 
 static const struct pel_font_asset font = {
-    PEL_FONT_MAGIC, PEL_FONT_VERSION, 4,      2,    3,    4,    0,
-    sizeof bits,    ranges,           glyphs, bits, NULL, NULL, 0};
+    PEL_FONT_MAGIC, PEL_FONT_VERSION, 4,    2,    3,    4, 0,   sizeof bits,
+    ranges,         glyphs,           bits, NULL, NULL, 0, NULL};
+
+static const struct pel_font_glyph *glyph_of(const struct pel_font_asset *from,
+                                             uint32_t code)
+{
+    return pel_glyph_find(&from, code);
+}
 
 TEST(check)
 {
@@ -59,15 +65,39 @@ TEST(check)
 TEST(find)
 {
     struct pel_font_asset f = font;
-    assert_ptr_equal(pel_glyph_find(&font, ' '), &glyphs[1]);
-    assert_ptr_equal(pel_glyph_find(&font, 'a'), &glyphs[2]);
-    assert_ptr_equal(pel_glyph_find(&font, 'b'), &glyphs[3]);
-    assert_ptr_equal(pel_glyph_find(&font, 0x20AC), &glyphs[3]);
-    assert_ptr_equal(pel_glyph_find(&font, 'c'), &glyphs[0]);
-    assert_ptr_equal(pel_glyph_find(&font, 0), &glyphs[0]);
-    assert_ptr_equal(pel_glyph_find(&font, 0x10FFFF), &glyphs[0]);
+    assert_ptr_equal(glyph_of(&font, ' '), &glyphs[1]);
+    assert_ptr_equal(glyph_of(&font, 'a'), &glyphs[2]);
+    assert_ptr_equal(glyph_of(&font, 'b'), &glyphs[3]);
+    assert_ptr_equal(glyph_of(&font, 0x20AC), &glyphs[3]);
+    assert_ptr_equal(glyph_of(&font, 'c'), &glyphs[0]);
+    assert_ptr_equal(glyph_of(&font, 0), &glyphs[0]);
+    assert_ptr_equal(glyph_of(&font, 0x10FFFF), &glyphs[0]);
     f.missing = PEL_FONT_NONE;
-    assert_null(pel_glyph_find(&f, 'c'));
+    assert_null(glyph_of(&f, 'c'));
+}
+
+/* A chain: the first font that has a character, on one baseline; pairs are of
+ * one font's glyphs alone; what no font has is the first one's box, counted. */
+TEST(chain)
+{
+    static const struct pel_font_range more[] = {{'b', 2, 2}};
+    struct pel_font_asset second = font, third = font;
+    third.range = more;
+    third.ranges = 1;
+    third.ascent = 3;
+    second.next = &third;
+    second.ranges = 1; /* the blank alone */
+    const struct pel_font_asset *at = &second;
+    assert_ptr_equal(pel_glyph_find(&at, 'c'), &glyphs[3]);
+    assert_ptr_equal(at, &third);
+    at = &second;
+    assert_ptr_equal(pel_glyph_find(&at, ' '), &glyphs[1]);
+    assert_ptr_equal(at, &second);
+    assert_ptr_equal(pel_glyph_find(&at, 'a'), &glyphs[0]);
+    assert_ptr_equal(at, &second);
+    assert_int_equal(pel_text_missing(&second, "a bc\n\xE2\x82\xAC\xFF"), 3);
+    assert_int_equal(pel_text_missing(&font, "ab c"), 1);
+    assert_int_equal(pel_text_missing(&font, ""), 0);
 }
 
 static int encode(uint32_t code, char *to)
@@ -294,7 +324,8 @@ TEST(large_glyphs)
                                          bits,
                                          NULL,
                                          NULL,
-                                         0};
+                                         0,
+                                         NULL};
     assert_int_equal(pel_font_asset_check(&large), PEL_OK);
     for (int i = 0; i < 2; i++) {
         const int32_t x = i ? 555 : 45, y = i ? 519 : 10;
