@@ -181,7 +181,7 @@ bool font_add_box(struct font *font)
         for (int x = 0; x < box.width; x++)
             if (x > 0 && x < box.width - 1 && y > 0 && y < box.height - 1)
                 continue;
-            else if (font->is_smooth)
+            else if (font->steps)
                 rows[y][x] = 255;
             else
                 rows[y][x / 8] |= (uint8_t)(0x80 >> x % 8);
