@@ -102,13 +102,29 @@ static void flush(struct drawing *d)
     d->bytes = 0;
 }
 
+/* Its bytes lie in place: up to `right` before the full pixels, which without
+ * any begin where the part does, and up to `end` behind them. */
+static PEL_ALWAYS_INLINE void add_part(struct drawing *d, struct pel_span full,
+                                       const uint8_t *right, const uint8_t *end)
+{
+    struct pel_smooth_batch *const b = &d->batch;
+    const int32_t left = (int32_t)(right - b->coverage) - d->bytes;
+    if (full.x1 <= full.x0)
+        full.x0 = full.x1 = full.x0 + left;
+    b->at.full[b->n] = full;
+    b->count[2 * b->n] = (uint8_t)left;
+    b->count[2 * b->n + 1] = (uint8_t)(end - right);
+    b->n++;
+    d->bytes = (int32_t)(end - b->coverage);
+}
+
 /* Part of a row, from column x on to `end` at most: where it ends. In it are
  * pixels with a coverage each, then full ones, then others. */
 static PEL_ALWAYS_INLINE int32_t take_part(struct drawing *d, struct runs *r,
                                            int32_t x, int32_t end)
 {
-    struct pel_smooth_batch *const b = &d->batch;
-    uint8_t *const start = b->coverage + d->bytes, *p = start, *right = NULL;
+    uint8_t *const start = d->batch.coverage + d->bytes;
+    uint8_t *p = start, *right = NULL;
     struct pel_span full = {x, x};
     end = pel_min(end, x + PEL_SMOOTH_BATCH_BYTES - d->bytes);
     while (x < end) {
@@ -138,15 +154,7 @@ static PEL_ALWAYS_INLINE int32_t take_part(struct drawing *d, struct runs *r,
             for (; n > 0; n--)
                 *p++ = (uint8_t)(r->step * d->scale);
     }
-    if (!right) {
-        right = p;
-        full.x0 = full.x1 = full.x0 + (int32_t)(p - start);
-    }
-    b->at.full[b->n] = full;
-    b->count[2 * b->n] = (uint8_t)(right - start);
-    b->count[2 * b->n + 1] = (uint8_t)(p - right);
-    b->n++;
-    d->bytes = (int32_t)(p - b->coverage);
+    add_part(d, full, right ? right : p, p);
     return x;
 }
 

@@ -117,11 +117,6 @@ static bool begins(const char *line, const char *word)
            (!line[n] || isspace((unsigned char)line[n]));
 }
 
-static bool is_ply(const char *line)
-{
-    return begins(line, "ply") || begins(line, "PLY");
-}
-
 /* Up to end_header. False without a message. */
 static bool read_head(struct ply *p)
 {
@@ -130,7 +125,8 @@ static bool read_head(struct ply *p)
     p->at = p->m->text;
     p->end = p->m->text + p->m->size;
     while (take_line(p, line, sizeof(line))) {
-        if (p->m->line == 1 ? !is_ply(line) : !read_head_line(p, line))
+        if (p->m->line == 1 ? !begins(line, "ply") && !begins(line, "PLY")
+                            : !read_head_line(p, line))
             return false;
         if (begins(line, "end_header")) {
             p->m->line++; /* that of the first element */

@@ -62,7 +62,7 @@ static bool is_digit(long code)
 TEST(what_is_missing_is_a_box)
 {
     const struct font_options options = {
-        .size = 24, .is_smooth = true, .is_wanted = is_digit};
+        .size = 24, .bits = 4, .is_wanted = is_digit};
     struct font font;
     assert_true(font_load(&font, path, &options));
     assert_true(font_add_box(&font));
