@@ -38,8 +38,8 @@ static struct pel_rect screen_of(const struct pel_display_fb *fb)
 /* Of a pixel in memory: fewer than 8, or those of the format. */
 static uint32_t pixel_bits(const struct pel_display_fb *fb)
 {
-    const uint32_t bits = fb->mode.variable.bits_per_pixel;
-    return bits < 8 ? bits : fb->format->bits;
+    const uint32_t few = pel_fb_few_bits(&fb->mode);
+    return few ? few : fb->format->bits;
 }
 
 static int set_color_map(struct pel_display_fb *fb)
@@ -121,7 +121,7 @@ static bool pans(struct pel_display_fb *fb)
 /* Must all be copied from a shadow? */
 static bool is_copied(const struct pel_display_fb *fb, int32_t turns)
 {
-    return turns != 0 || fb->mode.variable.bits_per_pixel < 8;
+    return turns != 0 || pel_fb_few_bits(&fb->mode);
 }
 
 static void choose_way(struct pel_display_fb *fb, enum pel_fb_way way,

@@ -69,6 +69,10 @@ uint32_t pel_fb_color_map(const struct pel_fb_mode *mode,
                           const struct pel_format *format,
                           uint16_t map[3][PEL_FB_COLORS]);
 
+/* 1 or 2, where that many bits are a pixel of grey, or of a palette, which gets
+ * greys; else 0. */
+uint32_t pel_fb_few_bits(const struct pel_fb_mode *mode);
+
 /* The format that a mode is drawn in, or NULL with the message: the values, and
  * why. */
 const struct pel_format *pel_fb_format(const struct pel_fb_mode *mode,

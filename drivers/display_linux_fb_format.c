@@ -54,9 +54,7 @@ static bool is_gray(const struct pel_fb_mode *mode)
     return v->grayscale == 1 && v->bits_per_pixel == 8;
 }
 
-/* 1 or 2 bits of grey, or of a palette, which gets greys; 0 for none of this.
- */
-static uint32_t few_bits(const struct pel_fb_mode *mode)
+uint32_t pel_fb_few_bits(const struct pel_fb_mode *mode)
 {
     const struct fb_var_screeninfo *v = &mode->variable;
     const uint32_t visual = mode->fixed.visual;
@@ -85,8 +83,8 @@ static const struct pel_format *find(const struct pel_fb_mode *mode)
     const uint32_t bits = pixel_bytes(mode) * 8;
     if (mode->fixed.type != FB_TYPE_PACKED_PIXELS)
         return NULL;
-    if (few_bits(mode))
-        return few_bits(mode) == 1 ? &pel_mono1 : &pel_gray8;
+    if (pel_fb_few_bits(mode))
+        return pel_fb_few_bits(mode) == 1 ? &pel_mono1 : &pel_gray8;
     if (is_gray(mode))
         return &pel_gray8;
     if (is_palette(mode))
@@ -120,7 +118,7 @@ uint32_t pel_fb_color_map(const struct pel_fb_mode *mode,
     if (!palette &&
         (mode->fixed.visual != FB_VISUAL_DIRECTCOLOR || is_gray(mode)))
         return 0;
-    const uint32_t few = few_bits(mode);
+    const uint32_t few = pel_fb_few_bits(mode);
     const uint32_t n = few       ? 1u << few
                        : palette ? PEL_FB_COLORS
                                  : 1u << v->green.length;
@@ -158,7 +156,7 @@ const struct pel_format *pel_fb_format(const struct pel_fb_mode *mode,
     const struct fb_var_screeninfo *v = &mode->variable;
     const struct fb_fix_screeninfo *f = &mode->fixed;
     const struct pel_format *format = find(mode);
-    const uint32_t few = few_bits(mode);
+    const uint32_t few = pel_fb_few_bits(mode);
     if (format && fits(mode, few ? few : format->bits) &&
         (few || f->line_length % format->word == 0))
         return format;

@@ -252,3 +252,24 @@ TEST(ways)
     close(file);
     unlink(path);
 }
+
+/* Channels say more than the bits that a driver tells. */
+TEST(bits_that_are_told_wrong)
+{
+    char path[] = "/tmp/pel-fb-XXXXXX";
+    const int fd = mkstemp(path);
+    struct pel_display_fb fb;
+    struct pel_display display;
+    struct pel_message message;
+    assert_int_equal(ftruncate(fd, MOST), 0);
+    set_mode(&layouts[9], 40);
+    assert_ptr_equal(layouts[9].format, &pel_rgb565_le);
+    mode.variable.bits_per_pixel = 2;
+    assert_int_equal(pel_display_fb_open(&fb, path, &message), 0);
+    assert_int_equal(pel_display_fb_start(&display, &fb, PEL_FB_ANY, 1), 0);
+    assert_ptr_equal(display.format, &pel_rgb565_le);
+    assert_int_equal(fb.memory.bits, 16);
+    pel_display_fb_close(&fb);
+    close(fd);
+    unlink(path);
+}
