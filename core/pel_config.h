@@ -24,10 +24,10 @@
 #define PEL_ASSERT(condition) ((void)0)
 #endif
 
-/* Is called with false for a shape that lies in the first two pixels, which
- * mostly means that its points are pixels where sub-pixels were wanted: write
- * pel_at(120, 120) and PEL_PX(30). By default nothing is reported. While you
- * write a program, define it as assert(condition) too, or as a message. */
+/* Is called with false for a shape that lies in the first two pixels: mostly
+ * its points are pixels where sub-pixels were wanted, as pel_at(120, 120) and
+ * PEL_PX(30) are. By default nothing is reported. While you write a program,
+ * define it as assert(condition) too, or as a message of yours. */
 #ifndef PEL_HINT
 #define PEL_HINT(condition) ((void)0)
 #endif

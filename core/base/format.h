@@ -71,15 +71,16 @@ struct pel_mix {
     uint32_t high, low, high_change, low_change;
 };
 
-/* A way through the cells of a gradient of mixed colors. Each pixel adds `step`
- * to the error. Where that is 0 or more the cell ends, and cell + cell_rest /
- * unit is taken away for the next one. A cell is less than 7 px wide. */
+/* Steps from pixel to pixel through the cells of a gradient of mixed colors.
+ * Each pixel adds `step` to the error. Where the error is 0 or more the cell
+ * ends, and cell + cell_rest / unit is subtracted from it. Cells are less than
+ * 7 px wide. */
 struct pel_walk {
     struct pel_mix mix;
     int32_t error, rest, cell, cell_rest, unit, step;
 };
 
-/* What a format does beside the rest: for dither, Gouraud and textures. */
+/* Functions that a format may have for dither, Gouraud and textures. */
 struct pel_channels {
     /* Required for grey whose pixels share bytes; NULL elsewhere. Grey c of n
      * bits shows level ((2^n - 1) c + rows[y & 7][8 (n - 1) + (x & 7)]) / 256
@@ -93,18 +94,18 @@ struct pel_channels {
                    const struct pel_spans *spans, const pel_color *colors,
                    const pel_thresholds *rows);
 
-    /* n >= 1 opaque pixels whose channels are planes; or false, and nothing is
-     * done. May be NULL. */
+    /* Stores n >= 1 opaque pixels whose channels are planes. False: nothing was
+     * stored. May be NULL. */
     bool (*planes)(const struct pel_surface *surface, int32_t x, int32_t y,
                    int32_t n, const struct pel_planes *planes);
 
-    /* The same with the colors of a way. */
+    /* The same with the colors that a walk steps through. */
     bool (*walk)(const struct pel_surface *surface, int32_t x, int32_t y,
                  int32_t n, const struct pel_walk *walk);
 
-    /* Of a format that only passes on what it is given: the surface that gets
-     * it. Pixel values of that one's format would arrive as they are. May be
-     * NULL. */
+    /* For a format that passes its pixels on: the surface that they go to,
+     * whose format's pixel values may be handed over as they are. May be NULL.
+     */
     const struct pel_surface *(*target)(const struct pel_surface *surface);
 };
 
