@@ -91,5 +91,6 @@ int main(void)
     matrix_report();
     fills_report();
     paths_report();
+    smooth_report();
     return !shapes_report();
 }

@@ -13,6 +13,7 @@ void fills_report(void);
 void hits_report(void);
 void matrix_report(void);
 void paths_report(void);
+void smooth_report(void);
 void textures_report(void);
 
 /* False: a bound does not hold. */

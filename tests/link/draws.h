@@ -24,6 +24,14 @@ static const struct pel_rounded_shape rounded = {PEL_AT(3, -5), PEL_AT(60, 50),
 static const struct pel_thick_line_shape thick = {PEL_AT(3, 5), PEL_AT(50, 60),
                                                   PEL_PX(6)};
 
+/* Of smooth shapes: between pixels. */
+static const struct pel_point between[4] = {{PEL_PX(32) + 7, PEL_PX(-5) + 9},
+                                            {PEL_PX(51) + 5, PEL_PX(60) + 2},
+                                            {PEL_PX(2) + 77, PEL_PX(20) + 99},
+                                            {PEL_PX(30) + 37, PEL_PX(31) + 81}};
+static const struct pel_ring_shape smooth_ring = {
+    {PEL_PX(30) + 37, PEL_PX(31) + 81}, PEL_PX(9) + 33, PEL_PX(30)};
+
 typedef void draw_function(const struct pel_paint *paint);
 
 /* draw_NAME, which calls pel_NAME with the numbers of a shape. */
@@ -49,11 +57,29 @@ SHAPE(rounded_rectangle_outline, &rounded)
 SHAPE(circle_outline, center, PEL_PX(30))
 SHAPE(ellipse_outline, &ellipse)
 SHAPE(arc_outline, &sector)
+SHAPE(smooth_triangle, between)
+SHAPE(smooth_rectangle, between[2], between[1])
+SHAPE(smooth_thick_line, &thick)
+SHAPE(smooth_thick_line_round, &thick)
+SHAPE(smooth_circle, between[3], PEL_PX(30))
+SHAPE(smooth_ring, &smooth_ring)
+SHAPE(smooth_sector, &sector)
+SHAPE(smooth_arc, &arc)
+SHAPE(smooth_arc_round, &arc)
+SHAPE(smooth_ellipse, &ellipse)
+SHAPE(smooth_rounded_rectangle, &rounded)
 
 static inline void draw_polygon(const struct pel_paint *paint)
 {
     static uint32_t scratch[64];
     pel_polygon(&screen, &polygon, paint, scratch, sizeof scratch);
+}
+
+static inline void draw_smooth_polygon(const struct pel_paint *paint)
+{
+    static uint64_t
+        scratch[PEL_SMOOTH_POLYGON_SCRATCH_SIZE(5, SCREEN_SIDE) / 8 + 1];
+    pel_smooth_polygon(&screen, &polygon, paint, scratch, sizeof scratch);
 }
 
 static inline void draw_polygon_outline(const struct pel_paint *paint)
@@ -117,5 +143,12 @@ static inline void draw_smooth_text(const struct pel_paint *paint)
         EACH(rounded_rectangle_outline), EACH(circle_outline),                \
         EACH(ellipse_outline), EACH(arc_outline), EACH(polygon_outline),      \
         EACH(text)
+
+#define EVERY_SMOOTH(EACH)                                               \
+    EACH(smooth_triangle), EACH(smooth_polygon), EACH(smooth_rectangle), \
+        EACH(smooth_thick_line), EACH(smooth_thick_line_round),          \
+        EACH(smooth_circle), EACH(smooth_ring), EACH(smooth_sector),     \
+        EACH(smooth_arc), EACH(smooth_arc_round), EACH(smooth_ellipse),  \
+        EACH(smooth_rounded_rectangle)
 
 #endif

@@ -10,7 +10,10 @@ include port/cortex_m/cortex_m.mk
 LINK_SHAPES := triangle triangle_or_line polygon rectangle line thick_line \
     circle ring sector arc ellipse rounded_rectangle triangle_outline \
     rectangle_outline rounded_rectangle_outline circle_outline \
-    ellipse_outline arc_outline polygon_outline text smooth_text
+    ellipse_outline arc_outline polygon_outline text smooth_text \
+    $(addprefix smooth_,triangle polygon rectangle thick_line \
+    thick_line_round circle ring sector arc arc_round ellipse \
+    rounded_rectangle)
 LINK_PAINTS := flat flat_alpha gouraud linear radial conic hue fan nearest \
     nearest_colors bilinear dither blend checker hatch nine_slice user
 # Chips of drivers/panel.h, of which every CPU has two.
@@ -22,12 +25,12 @@ LINK_FORMAT_ssd0323 := pel_gray4
 LINK_PAPERS := ssd1680 ssd1681 il3897 uc8151 uc8179
 link_format = $(or $(LINK_FORMAT_$1),$(if \
     $(filter $1,$(LINK_COLOR)),pel_rgb565_be_fill,pel_mono1_pages))
-LINK_FILES := $(filter-out shape paint panel panel_times epaper pairs,$(basename $(notdir \
+LINK_FILES := $(filter-out shape paint panel panel_times epaper pairs every_smooth,$(basename $(notdir \
     $(wildcard tests/link/*.c)))) panel_st7789 panel_ssd1306
 # All of them for two CPUs, of which other ones differ little; at -O2 those of
 # docs/MATRIX.md, which has paints of these two.
 LINK_WHOLE := cortex-m0plus cortex-m4
-LINK_ALL := $(sort $(LINK_FILES) $(LINK_SHAPES:%=shape_%) \
+LINK_ALL := $(sort $(LINK_FILES) every_smooth $(LINK_SHAPES:%=shape_%) \
     $(LINK_PAINTS:%=paint_%) $(LINK_PANELS:%=panel_%) \
     $(LINK_PAPERS:%=epaper_%))
 LINK_MATRIX := flat flat_circle_alpha scene
@@ -103,7 +106,7 @@ $(foreach b,$(LINK_ONE_BUILDS),$(eval $(call link_one,$b,$(patsubst \
 LINK_ELFS += $(foreach b,$(LINK_ONE_BUILDS),\
     $(LINK_ONE_$b:%=$(BUILD)/link/$b/one/%.elf))
 
-# Bytes of stack that any shape with any paint may take.
+# Bytes of stack that any shape with any paint may take; smooth ones have a table.
 LINK_STACK_small := 384
 LINK_STACK_Os := 608
 
@@ -175,3 +178,4 @@ size: $(MCU_CORE_OBJECTS) $(LINK_ELFS) guide \
 	$(foreach b,$(LINK_WHOLE_BUILDS),tests/link/pairs.sh $b \
 	    $(BUILD)/link/$b/pairs.elf $(LINK_STACK_$(lastword $(subst \
 	    -, ,$b))) >$(BUILD)/stack_$b.tsv &&) :
+	tests/link/pairs_smooth.sh $(LINK_WHOLE_BUILDS:%=$(BUILD)/stack_%.tsv) $(ACCEPT)

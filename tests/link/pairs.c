@@ -17,7 +17,7 @@
 static const struct {
     const char *name;
     draw_function *draw;
-} shapes[] = {EVERY_DRAW(NAMED_DRAW)};
+} shapes[] = {EVERY_DRAW(NAMED_DRAW), EVERY_SMOOTH(NAMED_DRAW)};
 
 static const struct {
     const char *name;
