@@ -48,7 +48,8 @@ const char *pel_key_name(int code, char name[PEL_KEY_NAME_SIZE])
     if (code > ' ' && code < 127)
         snprintf(name, PEL_KEY_NAME_SIZE, "%c", code);
     else if (code >= PEL_KEY_F1 && code < PEL_KEY_F1 + 24)
-        snprintf(name, PEL_KEY_NAME_SIZE, "f%d", code - PEL_KEY_F1 + 1);
+        snprintf(name, PEL_KEY_NAME_SIZE, "f%d",
+                 (code - PEL_KEY_F1 + 1) & 0xFF);
     else
         snprintf(name, PEL_KEY_NAME_SIZE, "key %d", code & 0xFFFF);
     return name;

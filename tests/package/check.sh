@@ -62,8 +62,10 @@ for page in man1/pel.1 man3/pel.3; do
     grep -q "pel $version" "$page" || fail "$page: no version"
 done
 
-# CMake: the tree inside a project, which installs it for another
-run cmake_subdirectory cmake -B b -D CMAKE_BUILD_TYPE=Debug
+# CMake: the tree inside a project, which installs it for another. As one
+# debugs: gcc sees at -Og what it proves away at -O2.
+run cmake_subdirectory cmake -B b -D CMAKE_BUILD_TYPE=Debug \
+    -D CMAKE_C_FLAGS_DEBUG="-Og -g -Wall -Wextra -Werror"
 run cmake_subdirectory cmake --build b
 draws "$work/cmake_subdirectory/b"
 run cmake_subdirectory cmake --install b --prefix "$work/usr"
