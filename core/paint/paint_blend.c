@@ -129,8 +129,10 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_blend *const p = (const void *)paint;
     struct proxy proxy;
-    PEL_ASSERT(spans->surface->format->load);
-    if (!spans->surface->format->load)
+    const bool legal =
+        spans->surface->format->load && spans->surface->format->put;
+    PEL_ASSERT(legal);
+    if (!legal)
         return;
     make_proxy(&proxy, spans, p->mode);
     p->source->fill(p->source, &proxy.spans);

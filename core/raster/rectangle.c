@@ -67,7 +67,8 @@ void pel_clear(const struct pel_surface *surface, pel_color color)
     const struct pel_rect *clip = &surface->clip;
     if (pel_rect_empty(clip))
         return;
-    const int32_t n = format->id < 128 ? pixels_of_memory(surface) : 0;
+    const int32_t n =
+        format->id < 128 && format->fill ? pixels_of_memory(surface) : 0;
     const struct pel_span row = {clip->x0, clip->x0 + n};
     const struct pel_spans rows = {surface, &row, clip->y0, 1, 0};
     if (n)

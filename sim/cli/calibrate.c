@@ -129,7 +129,7 @@ bool calibrate(const struct device_options *device, const char *path)
 {
     static struct calibration c;
     const struct pel_input_linux_options options = {
-        .no_keys = true, .width = FINE, .height = FINE, .touch = ""};
+        .no_keys = true, .width = FINE, .height = FINE, .touch = "rotate=0"};
     if (!device_open(&c.screen, device, PEL_FB_STILL))
         return false;
     bool done = pel_input_linux_open(&c.input, &options) == 0 ||

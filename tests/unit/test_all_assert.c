@@ -303,6 +303,29 @@ TEST(fill_only_twins)
     check_twin(&pel_rgb565_be_fill);
 }
 
+/* Palettes are sources: nothing can be drawn into them. */
+TEST(palettes)
+{
+    static const pel_color colors[2] = {PEL_RGB(0, 0, 0),
+                                        PEL_RGB(255, 255, 255)};
+    static const struct pel_palette palette = PEL_PALETTE(8, colors);
+    static const struct pel_flat red = PEL_FLAT(PEL_RGB(255, 0, 0));
+    static const struct pel_rect all = {0, 0, 8, 8};
+    uint8_t pixels[64] = {0};
+    struct pel_surface s;
+    struct pel_blend blend;
+    pel_blend_init(&blend, &red.paint, PEL_BLEND_XOR);
+    assert_int_equal(
+        pel_surface_init(&s, &palette.format, pixels, sizeof pixels, &all),
+        PEL_OK);
+    open_hits();
+    pel_box(&s, &all, &blend.paint);
+    expect_broken("palette, blend", 0);
+    pel_clear(&s, red.color);
+    for (int i = 0; i < 64; i++)
+        assert_int_equal(pixels[i], 0);
+}
+
 /* A shape in pixels where sub-pixels are asked for is told; the same in
  * sub-pixels is not, wherever it is. */
 TEST(pixels_for_sub_pixels)
