@@ -60,14 +60,17 @@ static PEL_NOINLINE_32 uint8_t *cross_row(struct pel_smooth_side *s,
     return to + 1;
 }
 
-/* Adds what a side is in the row above to the area of a pixel. */
+/* Adds what a side is in the row above to the area of a pixel, from which it
+ * lies a batch's bytes away at most; sides of round lines may lie beyond the
+ * range of coordinates. */
 static void add_side(const struct pel_smooth_side *s, uint32_t flip, int32_t x,
                      uint32_t *area)
 {
+    const int64_t at = s->at - x * (INT64_C(1) << 32);
     struct pel_smooth_piece p = {0, 0, s->rise, 65536};
-    pel_smooth_piece_set(&p, (int32_t)((s->at - s->step) >> 16),
-                         (int32_t)(s->at >> 16));
-    pel_smooth_add(&p, flip, x, 1, area);
+    pel_smooth_piece_set(&p, (int32_t)((at - s->step) >> 16),
+                         (int32_t)(at >> 16));
+    pel_smooth_add(&p, flip, 0, 1, area);
 }
 
 static uint8_t coverage_at(const struct pel_smooth_walk *k, int32_t x)

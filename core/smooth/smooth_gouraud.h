@@ -10,7 +10,8 @@ PEL_BEGIN_DECLS
 
 /* The colors of a pel_gouraud, byte for byte where a pixel's centre lies inside
  * its triangle. Outside, where those wrap around, the planes go on and are cut
- * to 0..255: so pixels at an edge look like their neighbours. */
+ * to 0..255: so pixels at an edge look like their neighbours. For shapes inside
+ * of the triangle alone: full pixels of others wrap, as a pel_gouraud does. */
 struct pel_smooth_gouraud {
     struct pel_paint paint;
     struct pel_gouraud inner;

@@ -1,5 +1,6 @@
 /* Smooth polygons against their exact area: within .5 + .02 k of 255 for k
  * edges in a pixel. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -200,6 +201,46 @@ TEST(thick_lines)
         else
             pel_smooth_thick_line(&window, &line, &white.paint);
         check_coverage(v, 4);
+    }
+}
+
+static void draw_round_line(struct pel_thick_line_shape line, int32_t x,
+                            int32_t shift)
+{
+    const struct pel_rect bounds = {x + shift, 0, x + shift + SIZE, SIZE};
+    line.from.x += PEL_PX(shift);
+    line.to.x += PEL_PX(shift);
+    open_window(&bounds);
+    pel_smooth_thick_line_round(&window, &line, &white.paint);
+}
+
+static void print_line(const void *line)
+{
+    const struct pel_thick_line_shape *const l = line;
+    printf("(%d, %d) (%d, %d) %d", l->from.x, l->from.y, l->to.x, l->to.y,
+           l->width);
+}
+
+/* Sides of legal lines may lie beyond the range of their ends. */
+TEST(round_lines_at_the_limits)
+{
+    for (struct cases c = cases_of(20000); cases_next(&c);) {
+        struct random *const r = &c.random;
+        const bool right = random_word(r) % 2;
+        const int32_t x = right ? 32768 - SIZE : -32768;
+        const int32_t from = right ? PEL_PX(32768) - 400 : -PEL_PX(32768);
+        const struct pel_thick_line_shape line = {
+            {random_between(r, from, from + 399),
+             random_between(r, 0, PEL_PX(SIZE))},
+            {random_between(r, from, from + 399),
+             random_between(r, 0, PEL_PX(SIZE))},
+            random_between(r, 1, 300)};
+        uint8_t there[sizeof pixels];
+        cases_keep(print_line, &line, sizeof line);
+        draw_round_line(line, x, 0);
+        memcpy(there, pixels, sizeof there);
+        draw_round_line(line, x, right ? -40 : 40);
+        assert_memory_equal(there, pixels, sizeof there);
     }
 }
 
