@@ -81,7 +81,7 @@ struct pel_polyline_shape {
  * part of the outline that goes through a row; of a stroke about 10 for each
  * line that touches a row, with round joins of 2 px, and 20 of 10 px. Memory
  * for all rows at once saves time: the path is walked once for each lot. */
-#define PEL_PATH_SCRATCH_SIZE(sides) (PEL_CAST(size_t, sides) * 36)
+#define PEL_PATH_SCRATCH_SIZE(sides) PEL_POLYGON_SCRATCH_SIZE(sides)
 
 /* Is it a path? PEL_ERROR_NULL, PEL_ERROR_FORMAT (a verb that is none, or
  * before the first PEL_MOVE; points that are too many or too few). For data

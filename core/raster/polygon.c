@@ -3,14 +3,15 @@
 #include "sweep.h"
 
 typedef char pel_polygon_side_fits[PEL_POLYGON_SCRATCH_SIZE(1) ==
-                                           sizeof(struct pel_sweep_side) +
+                                           sizeof(struct pel_sweep) +
+                                               sizeof(struct pel_sweep_side) +
                                                sizeof(int32_t)
                                        ? 1
                                        : -1];
 
 size_t pel_polygon_scratch_size(int32_t n)
 {
-    if (n < 0 || (size_t)n > (size_t)-1 / PEL_POLYGON_SCRATCH_SIZE(1))
+    if (n < 1 || (size_t)n > (size_t)-1 / PEL_POLYGON_SCRATCH_SIZE(1))
         return 0;
     return PEL_POLYGON_SCRATCH_SIZE(n);
 }
@@ -40,6 +41,18 @@ static PEL_NOINLINE int check(const struct pel_polygon_shape *p,
     return pel_polygon_visible(p, clip);
 }
 
+/* A function of its own, to spare the stack of the paint. */
+static PEL_NOINLINE_32 void add_sides(struct pel_sweep *w,
+                                      const struct pel_polygon_shape *polygon,
+                                      const struct pel_rect *clip)
+{
+    const struct pel_point *previous = &polygon->v[polygon->n - 1];
+    for (int32_t i = 0; i < polygon->n; i++) {
+        pel_sweep_add(w, previous, &polygon->v[i], clip->y0, clip->y1);
+        previous = &polygon->v[i];
+    }
+}
+
 enum pel_status pel_polygon(const struct pel_surface *surface,
                             const struct pel_polygon_shape *polygon,
                             const struct pel_paint *paint, void *scratch,
@@ -53,14 +66,8 @@ enum pel_status pel_polygon(const struct pel_surface *surface,
     if (visible <= 0)
         return (enum pel_status)visible;
 
-    struct pel_sweep w;
-    pel_sweep_begin(&w, scratch, polygon->n, polygon->rule);
-    const struct pel_point *previous = &polygon->v[polygon->n - 1];
-    for (int32_t i = 0; i < polygon->n; i++) {
-        pel_sweep_add(&w, previous, &polygon->v[i], surface->clip.y0,
-                      surface->clip.y1);
-        previous = &polygon->v[i];
-    }
-    pel_sweep_paint(&w, surface, paint);
-    return PEL_OK;
+    struct pel_sweep *const w =
+        pel_sweep_begin(scratch, polygon->n, polygon->rule);
+    add_sides(w, polygon, &surface->clip);
+    return pel_sweep_paint(w, surface, paint);
 }

@@ -20,7 +20,7 @@ struct pel_polygon_shape {
 /* Bytes of scratch memory, aligned to 4, that a polygon of n vertices needs,
  * for constant expressions; and the same as a function: 0 when n < 1, or when
  * the size does not fit. */
-#define PEL_POLYGON_SCRATCH_SIZE(n) (PEL_CAST(size_t, n) * 36)
+#define PEL_POLYGON_SCRATCH_SIZE(n) (PEL_CAST(size_t, n) * 36 + 20)
 size_t pel_polygon_scratch_size(int32_t n);
 
 /* Fills the pixels whose centre is inside, by the rule of raster/edge.h for

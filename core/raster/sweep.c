@@ -18,12 +18,12 @@ bool pel_sweep_add(struct pel_sweep *w, const struct pel_point *a,
         return true;
     if (w->count == w->room)
         return false;
-    struct pel_sweep_side *const s = &w->side[w->count];
+    struct pel_sweep_side *const s = pel_sweep_sides(w) + w->count;
     s->winding = winding;
     s->first = first;
     s->end = end;
     pel_edge_start(&s->edge, a, b, first);
-    w->order[w->count] = w->count;
+    pel_sweep_order(w)[w->count] = w->count;
     w->count++;
     return true;
 }
@@ -41,44 +41,46 @@ static int32_t key_of(const struct pel_sweep_side *side, enum key key)
 static PEL_INLINE_KINDS void sort(struct pel_sweep *w, int32_t count,
                                   enum key key, bool mixed)
 {
+    const struct pel_sweep_side *const sides = pel_sweep_sides(w);
+    int32_t *const order = pel_sweep_order(w);
     int32_t gap = 1;
     while (mixed && gap < count / 4)
         gap = 2 * gap + 1;
     for (; gap; gap /= 2)
         for (int32_t i = gap; i < count; i++) {
-            const int32_t side = w->order[i], k = key_of(&w->side[side], key);
+            const int32_t side = order[i], k = key_of(&sides[side], key);
             int32_t j = i;
-            for (; j >= gap && key_of(&w->side[w->order[j - gap]], key) > k;
+            for (; j >= gap && key_of(&sides[order[j - gap]], key) > k;
                  j -= gap)
-                w->order[j] = w->order[j - gap];
-            w->order[j] = side;
+                order[j] = order[j - gap];
+            order[j] = side;
         }
 }
 
-static int32_t first_of(const struct pel_sweep *w, int32_t i)
+static struct pel_sweep_side *side_at(struct pel_sweep *w, int32_t i)
 {
-    return w->side[w->order[i]].first;
+    return &pel_sweep_sides(w)[pel_sweep_order(w)[i]];
 }
 
 /* Sides that begin in row y become active; false when there are none. */
 static PEL_NOINLINE_32 bool enter(struct pel_sweep *w, int32_t y)
 {
+    int32_t *const order = pel_sweep_order(w);
     const int32_t next = w->next;
-    for (; w->next < w->count && first_of(w, w->next) == y; w->next++) {
-        const int32_t side = w->order[w->next];
-        w->order[w->next] = w->order[w->active];
-        w->order[w->active++] = side;
+    for (; w->next < w->count && side_at(w, w->next)->first == y; w->next++) {
+        const int32_t side = order[w->next];
+        order[w->next] = order[w->active];
+        order[w->active++] = side;
     }
     return w->next > next;
 }
 
 /* Spans begin where a side enters the polygon and end where one leaves it. */
-static void emit_row(const struct pel_sweep *w, struct pel_collector *c,
-                     int32_t y)
+static void emit_row(struct pel_sweep *w, struct pel_collector *c, int32_t y)
 {
     int32_t winding = 0, start = 0;
     for (int32_t i = 0; i < w->active; i++) {
-        const struct pel_sweep_side *s = &w->side[w->order[i]];
+        const struct pel_sweep_side *const s = side_at(w, i);
         bool outside = (winding & w->mask) == 0;
         winding += s->winding;
         if (outside)
@@ -91,13 +93,14 @@ static void emit_row(const struct pel_sweep *w, struct pel_collector *c,
 /* Moves on to row y; sides that end there are dropped. */
 static PEL_NOINLINE void advance(struct pel_sweep *w, int32_t y)
 {
+    int32_t *const order = pel_sweep_order(w);
     int32_t kept = 0;
     for (int32_t i = 0; i < w->active; i++) {
-        struct pel_sweep_side *s = &w->side[w->order[i]];
+        struct pel_sweep_side *const s = side_at(w, i);
         if (s->end == y)
             continue;
         pel_edge_next(&s->edge);
-        w->order[kept++] = w->order[i];
+        order[kept++] = order[i];
     }
     w->active = kept;
 }
@@ -107,7 +110,7 @@ static void sweep_rows(struct pel_sweep *w, struct pel_collector *c)
     int32_t y = 0;
     while (w->active || w->next < w->count) {
         if (w->active == 0)
-            y = first_of(w, w->next);
+            y = side_at(w, w->next)->first;
         const bool mixed = enter(w, y);
         sort(w, w->active, BY_X, mixed);
         emit_row(w, c, y);
@@ -115,8 +118,9 @@ static void sweep_rows(struct pel_sweep *w, struct pel_collector *c)
     }
 }
 
-void pel_sweep_paint(struct pel_sweep *w, const struct pel_surface *surface,
-                     const struct pel_paint *paint)
+enum pel_status pel_sweep_paint(struct pel_sweep *w,
+                                const struct pel_surface *surface,
+                                const struct pel_paint *paint)
 {
     struct pel_collector c;
     sort(w, w->count, BY_FIRST_ROW, true);
@@ -124,4 +128,5 @@ void pel_sweep_paint(struct pel_sweep *w, const struct pel_surface *surface,
     sweep_rows(w, &c);
     pel_collect_end(&c);
     w->count = w->next = 0;
+    return PEL_OK;
 }

@@ -34,7 +34,7 @@ static void setup(void)
 
 static void check_polygon(const struct pel_point *v, int32_t n)
 {
-    uint32_t scratch[8 * 9];
+    uint32_t scratch[PEL_POLYGON_SCRATCH_SIZE(8) / 4];
     struct pel_polygon_shape outline = {v, n, PEL_EVEN_ODD};
     uint64_t want[2];
     expected(&outline, want);

@@ -10,7 +10,7 @@ enum { VERTICES_MAX = 2000, WINDOW = 14, LARGE_WINDOW = 64 };
 
 static struct hits hits;
 static struct pel_point vertex[VERTICES_MAX];
-static uint32_t scratch[9 * VERTICES_MAX];
+static uint32_t scratch[PEL_POLYGON_SCRATCH_SIZE(VERTICES_MAX) / 4];
 
 static bool in_polygon(const void *outline, int32_t x, int32_t y)
 {

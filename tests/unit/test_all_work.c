@@ -93,7 +93,7 @@ TEST(batches_of_one_line)
     enum { TEETH_SHOWN = 300, N = 4 * TEETH_SHOWN };
     const struct pel_rect b = {0, 0, 2 * TEETH_SHOWN, 2};
     static struct pel_point v[N];
-    static uint32_t scratch[9 * N];
+    static uint32_t scratch[PEL_POLYGON_SCRATCH_SIZE(N) / 4];
     const struct pel_polygon_shape p = {v, N, PEL_EVEN_ODD};
     const uint64_t a_line = batches_of(TEETH_SHOWN, PEL_COLLECT_ROWS);
     for (int32_t i = 0; i < N; i++)
