@@ -121,9 +121,8 @@ static uint8_t expected(const struct one *o, int32_t x, int32_t y)
 {
     const bool is_in =
         x >= 0 && y >= 0 && x < o->glyph.width && y < o->glyph.height;
-    return is_in
-               ? (uint8_t)(o->level[y * o->glyph.width + x] * 255 / most_of(o))
-               : 0;
+    const int level = is_in ? o->level[y * o->glyph.width + x] : 0;
+    return (uint8_t)(level * 255 / most_of(o));
 }
 
 static struct pel_surface surface_of(uint8_t *pixels)
