@@ -16,20 +16,21 @@ static enum side side_of(const struct pel_point *const p[3],
 {
     const int32_t a = p[0]->x, b = p[1]->x, c = p[2]->x;
     const int32_t dy = p[1]->y - p[0]->y, height = p[2]->y - p[0]->y;
-    const int32_t low = pel_min(a, c), high = pel_max(a, c);
-    const int32_t left = pel_first_pixel(pel_min(low, b));
-    const int32_t right = pel_first_pixel(pel_max(high, b));
-    if (left >= clip->x1 || right <= clip->x0)
-        return BESIDE;
-    if (PEL_SMALL_CODE || left < clip->x0 || right > clip->x1)
+    int32_t low = pel_min(a, c), high = pel_max(a, c);
+    enum side side = b > low ? LEFT : RIGHT;
+    if (PEL_SMALL_CODE)
         return UNKNOWN;
-    if (b <= low)
-        return RIGHT;
-    if (b >= high)
-        return LEFT;
-    if ((height | (high - low)) >> 15)
-        return UNKNOWN;
-    return (b - a) * height < (c - a) * dy ? RIGHT : LEFT;
+    if (b > low && b < high) {
+        if ((height | (high - low)) >> 15)
+            side = UNKNOWN;
+        else
+            side = (b - a) * height < (c - a) * dy ? RIGHT : LEFT;
+    }
+    low = pel_first_pixel(pel_min(low, b));
+    high = pel_first_pixel(pel_max(high, b));
+    if (low >= clip->x0 && high <= clip->x1)
+        return side;
+    return low < clip->x1 && high > clip->x0 ? UNKNOWN : BESIDE;
 }
 
 static void fill(const struct pel_surface *surface,
