@@ -149,21 +149,22 @@ enum pel_status pel_epaper_init(struct pel_display *display,
     const struct pel_epaper_chip *chip = paper->chip;
     if (paper->format->bits > 2)
         return PEL_ERROR_FORMAT;
-    if (paper->width - 1u >= chip->width || paper->height - 1u >= chip->height)
+    const int32_t width = paper->width, height = paper->height;
+    if (width - 1u >= chip->width || height - 1u >= chip->height)
         return PEL_ERROR_SIZE;
-    const size_t n = (size_t)PEL_EPAPER_FRAME(paper->width, paper->height);
+    const size_t n = (size_t)PEL_EPAPER_FRAME(width, height);
     for (size_t i = n * paper->format->bits; i-- > 0;)
         paper->frame[i] = i < n ? 0xFF : 0;
     memset(display, 0, sizeof *display);
     display->context = paper;
-    display->width = paper->width;
-    display->height = paper->height;
+    display->width = width;
+    display->height = height;
     display->format = paper->format;
     display->flush = epaper_flush;
     display->flip = epaper_flip;
     if (paper->rotation & 1) {
-        display->width = paper->height;
-        display->height = paper->width;
+        display->width = height;
+        display->height = width;
     }
     paper->state = ASLEEP;
     return ready(paper);
