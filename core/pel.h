@@ -1,4 +1,4 @@
-/* Pel: exact triangles and circles in any framebuffer.
+/* Pel: exact shapes, text, pictures and small 3-D scenes in any framebuffer.
  *
  * Shapes are painted onto surfaces, views of your own memory. A pixel belongs
  * to a shape or it does not; the shapes of smooth/smooth.h weigh it by the part

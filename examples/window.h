@@ -37,11 +37,12 @@ static inline bool panel_input(struct pel_input *event)
  * is no failure, though the display has failed: the program ends well. */
 static inline void panel_close(void)
 {
+    const bool panel_ended = panel_window.closed && !panel_window.message;
     struct pel_input event;
     while (pel_display_sdl_wait(&panel_window, -1, &event)) {
     }
     pel_display_sdl_close(&panel_window);
-    if (!panel_window.message)
+    if (panel_ended)
         exit(EXIT_SUCCESS);
 }
 

@@ -1,6 +1,8 @@
 #ifdef HAVE_FREETYPE
 #include "sim/font/kerning.h"
 
+#include <stdlib.h>
+
 #include FT_TRUETYPE_TABLES_H
 #ifdef HAVE_HARFBUZZ
 #include <hb-ot.h>
@@ -18,16 +20,32 @@ static bool has_table(FT_Face face, const char *name)
 
 #ifdef HAVE_HARFBUZZ
 
+/* A table as FreeType has it, which unpacks WOFF. */
+static hb_blob_t *table_of(hb_face_t *unused, hb_tag_t tag, void *data)
+{
+    FT_ULong size = 0;
+    (void)unused;
+    if (tag == 0 || FT_Load_Sfnt_Table(data, tag, 0, NULL, &size) != 0 ||
+        size == 0 || size > UINT32_MAX)
+        return NULL;
+    FT_Byte *const bytes = malloc(size);
+    if (!bytes || FT_Load_Sfnt_Table(data, tag, 0, bytes, &size) != 0) {
+        free(bytes);
+        return NULL;
+    }
+    return hb_blob_create((const char *)bytes, (unsigned)size,
+                          HB_MEMORY_MODE_READONLY, bytes, free);
+}
+
 static void open_font(struct kerning *k, const struct font_file *file)
 {
     const FT_Size_Metrics *m = &k->face->size->metrics;
-    hb_blob_t *blob = hb_blob_create(file->data, (unsigned)file->size,
-                                     HB_MEMORY_MODE_READONLY, NULL, NULL);
-    hb_face_t *face = hb_face_create(blob, 0);
+    (void)file;
+    hb_face_t *face = hb_face_create_for_tables(table_of, k->face, NULL);
+    hb_face_set_upem(face, k->face->units_per_EM);
     k->font = hb_font_create(face);
     k->text = hb_buffer_create();
     hb_face_destroy(face);
-    hb_blob_destroy(blob);
     hb_font_set_scale(k->font,
                       (int)FT_MulFix(k->face->units_per_EM, m->x_scale),
                       (int)FT_MulFix(k->face->units_per_EM, m->y_scale));

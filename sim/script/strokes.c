@@ -29,10 +29,10 @@ static struct pel_stroke stroke_of(const struct script_pen *pen, int32_t width)
                                .dash_phase = pen->dash[2]};
 }
 
-/* A row with more sides than there is memory for. */
+/* What fails is told: most likely a row with more sides than there is room. */
 static void finish(struct script_pen *pen, enum pel_status status)
 {
-    pen->failed = pen->failed || status == PEL_ERROR_SCRATCH;
+    pen->failed = pen->failed || status != PEL_OK;
 }
 
 static void draw_polyline(struct script_pen *pen, const int32_t *v)
@@ -74,7 +74,7 @@ static void draw_path(struct script_pen *pen, const int32_t *v)
 /* A miter goes at most twice the width from a point. */
 static const char *check_stroke(const int32_t *v, size_t n)
 {
-    const int32_t most = PEL_COORDINATE_MAX - 1024;
+    const int32_t most = PEL_COORDINATE_MAX - 1026;
     for (size_t i = 1; i < n; i++)
         if (v[0] > most / 2 || v[i] > most - 2 * v[0] || v[i] < 2 * v[0] - most)
             return "expected points twice the width away from -32764 and "
