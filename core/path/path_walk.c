@@ -22,12 +22,13 @@ struct walk {
 
 static const uint8_t points_of[PEL_CLOSE + 1] = {1, 1, 2, 3, 0};
 
-/* A coordinate of a point, of a row of the transform; false: out of range.
- * Sums are modulo 2^64: one that wraps is far out of range. */
-static bool place(int32_t x, int32_t y, const int32_t *row, int32_t *to)
+/* Adds to *to a coordinate of a point by the row (a, b) of the transform;
+ * false: out of range. Sums are modulo 2^64: one that wraps is far out of
+ * range. */
+static bool transform(int32_t a, int32_t b, int32_t x, int32_t y, int32_t *to)
 {
-    const uint64_t sum = (uint64_t)pel_long_product(row[0], x) +
-                         (uint64_t)pel_long_product(row[1], y) + 32768;
+    const uint64_t sum = (uint64_t)pel_long_product(a, x) +
+                         (uint64_t)pel_long_product(b, y) + 32768;
     const int64_t at = ((int64_t)sum >> 16) + *to;
     *to = (int32_t)at;
     return at >= PEL_COORDINATE_MIN && at <= PEL_COORDINATE_MAX;
@@ -46,7 +47,8 @@ static bool take_point(struct walk *w, struct pel_point *to)
     if (!t)
         return pel_point_legal(*to);
     *to = t->at;
-    return place(x, y, &t->xx, &to->x) && place(x, y, &t->yx, &to->y);
+    return transform(t->xx, t->xy, x, y, &to->x) &&
+           transform(t->yx, t->yy, x, y, &to->y);
 }
 
 /* Not less than the length of a vector, nor above 1.12 of it. */

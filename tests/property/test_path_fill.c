@@ -164,6 +164,44 @@ static struct pel_polygon_shape polygon_of(const struct pel_path_shape *shape)
     return (struct pel_polygon_shape){keeper.v, keeper.n, shape->rule};
 }
 
+static int32_t transformed(int32_t at, int64_t sum)
+{
+    sum += 32768;
+    return at + (int32_t)(sum >= 0 ? sum / 65536 : -((65535 - sum) / 65536));
+}
+
+/* Ends of lines are where the header's formula takes them. */
+TEST(points_are_transformed)
+{
+    static const uint8_t verbs[] = {PEL_MOVE, PEL_LINE, PEL_LINE};
+    for (struct cases c = cases_of(20000); cases_next(&c);) {
+        struct random *const r = &c.random;
+        int16_t v[6];
+        for (int i = 0; i < 6; i++)
+            v[i] = (int16_t)random_between(r, -32768, 32767);
+        const struct pel_transform t = {
+            random_between(r, -99999, 99999),
+            random_between(r, -99999, 99999),
+            random_between(r, -99999, 99999),
+            random_between(r, -99999, 99999),
+            {random_between(r, -9999, 9999), random_between(r, -9999, 9999)}};
+        const struct pel_path path = {
+            .verbs = verbs, .verb_count = 3, .points16 = v, .point_count = 3};
+        const struct pel_path_shape shape = {.path = &path, .transform = &t};
+        keeper.pen =
+            (struct pel_pen){keep, PEL_COORDINATE_MIN, PEL_COORDINATE_MAX};
+        keeper.n = 0;
+        assert_int_equal(pel_path_walk(&shape, &keeper.pen), PEL_OK);
+        for (int i = 0; i < 3; i++) {
+            const int64_t x = v[2 * i], y = v[2 * i + 1];
+            if (keeper.v[i].x != transformed(t.at.x, t.xx * x + t.xy * y) ||
+                keeper.v[i].y != transformed(t.at.y, t.yx * x + t.yy * y))
+                fail_msg("(%d, %d): %d %d; %s", (int)x, (int)y, keeper.v[i].x,
+                         keeper.v[i].y, cases_replay());
+        }
+    }
+}
+
 static const struct pel_flat ink = PEL_FLAT(PEL_RGBA(200, 40, 90, 120));
 
 TEST(fills_are_polygons_of_the_lines)
