@@ -180,10 +180,14 @@ static int show(struct pel_display_drm *drm, uint32_t id)
                           &drm->mode);
 }
 
+/* Without a page flip. If that fails, the frame's changes stay in the list: the
+ * other buffer still misses them. */
 static int show_and_announce(struct pel_display_drm *drm, uint32_t id)
 {
-    if (show(drm, id))
+    if (show(drm, id)) {
+        pel_turned_change(&drm->frame, &drm->last_change);
         return -1;
+    }
     drmModeDirtyFB(drm->fd, id, NULL, 0);
     drm->shown = true;
     return 0;
@@ -310,8 +314,8 @@ int pel_display_drm_start(struct pel_display *display,
         drm->format = depth == 16 ? &pel_xrgb8888 : &pel_rgb565_le;
         error = buffers_make(drm);
     }
-    const struct pel_turned_memory memory = memory_of(&drm->buffer[0]);
     if (!error && turns) {
+        const struct pel_turned_memory memory = memory_of(&drm->buffer[0]);
         errno = pel_turned_make(&drm->frame, drm->format, &memory, turns);
         error = errno ? failed(drm, "no memory for a frame") : 0;
     }
