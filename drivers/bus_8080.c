@@ -48,5 +48,5 @@ enum pel_status pel_bus_8080_pause(const struct pel_bus *bus, bool reset,
                                    uint32_t ms)
 {
     struct pel_bus_8080 *const self = bus->context;
-    return self->pause(self, reset, ms);
+    return self->pause ? self->pause(self, reset, ms) : PEL_ERROR_DEVICE;
 }

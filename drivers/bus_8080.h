@@ -37,7 +37,8 @@ struct pel_bus_8080 {
     void (*words)(const struct pel_bus_8080 *bus, bool data,
                   const uint16_t *word, size_t n);
 
-    /* As that of struct pel_bus. */
+    /* As that of struct pel_bus, and required as there: without it a pause is
+     * PEL_ERROR_DEVICE. */
     enum pel_status (*pause)(const struct pel_bus_8080 *bus, bool reset,
                              uint32_t ms);
     uint8_t lines; /* 8 or 16 */

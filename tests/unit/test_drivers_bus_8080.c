@@ -93,3 +93,13 @@ TEST(nothing_is_read)
     assert_int_equal(parallel.bus.pause(&parallel.bus, false, 6000),
                      PEL_ERROR_DEVICE);
 }
+
+TEST(pause_is_required)
+{
+    struct pel_bus_8080 bus = {
+        .bus = PEL_BUS_8080(&bus), .words = words, .lines = 8, .write = 0x2C};
+    struct pel_panel panel = {
+        .chip = &pel_panel_st7789, .bus = &bus.bus, .format = &pel_rgb565_be};
+    struct pel_display display;
+    assert_int_equal(pel_panel_init(&display, &panel), PEL_ERROR_DEVICE);
+}
