@@ -96,9 +96,12 @@ static enum pel_status scroll_wait(const struct pel_display *rolling)
 enum pel_status pel_panel_scroll_by(struct pel_panel_scroll *scroll, int32_t n)
 {
     const int32_t lines = scroll->to - scroll->from;
-    const int32_t at = (scroll->at + n % lines) % lines;
+    const int32_t before = scroll->at, at = (before + n % lines) % lines;
     scroll->at = at < 0 ? at + lines : at;
-    return send_start(scroll);
+    const enum pel_status status = send_start(scroll);
+    if (status != PEL_OK)
+        scroll->at = before;
+    return status;
 }
 
 enum pel_status pel_panel_scroll_init(struct pel_display *rolling,

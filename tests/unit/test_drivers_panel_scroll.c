@@ -186,6 +186,7 @@ TEST(what_does_not_scroll)
     assert_int_equal(pel_display_flush(&rolling, &part), PEL_ERROR_SIZE);
     bus.fail_at = bus.calls + 1;
     assert_int_equal(pel_panel_scroll_by(&s, 1), PEL_ERROR_DEVICE);
+    assert_int_equal(s.at, 0); /* as on the glass */
     bus.fail_at = 0;
     panel.chip = &pel_panel_ssd1306;
     assert_int_equal(pel_panel_scroll_init(&rolling, &s, &display, 0, 9),
