@@ -27,7 +27,10 @@ struct pel_spans {
 };
 
 /* No two formats of a program have the same id, but for palettes: copies
- * between surfaces of one id take their pixels as they are. */
+ * between surfaces of one id take their pixels as they are. Yours are 128..249.
+ * Behind them come those of the library that are not plain memory: 250 a window
+ * that counts, 251 its counts, 252 blend modes, 253 smooth shapes, 254 masks,
+ * 255 dither. */
 enum pel_format_id {
     PEL_FORMAT_RGB565_LE = 1, /* 16: R 15..11, G 10..5, B 4..0 */
     PEL_FORMAT_RGB565_BE,     /* the same, high byte first */
@@ -110,7 +113,7 @@ struct pel_channels {
 };
 
 struct pel_format {
-    uint8_t id;   /* enum pel_format_id; 128..250 for formats of your own */
+    uint8_t id;   /* enum pel_format_id, or 128..249: a format of your own */
     uint8_t bits; /* of a pixel: 1, 2, 4, 8, 16, 24 or 32 */
     uint8_t word; /* bytes that pixels and stride are a multiple of */
 

@@ -139,7 +139,7 @@ struct pel_format pel_display_sdl_counting(const struct pel_format *of)
 {
     struct pel_format format = *of;
     const struct pel_channels *const channels = of->channels;
-    format.id = 252;
+    format.id = 250;
     format.fill = fill;
     format.blend = blend;
     format.put = put;
