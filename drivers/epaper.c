@@ -149,7 +149,7 @@ enum pel_status pel_epaper_init(struct pel_display *display,
     const struct pel_epaper_chip *chip = paper->chip;
     if (paper->format->bits > 2)
         return PEL_ERROR_FORMAT;
-    const int32_t width = paper->width, height = paper->height;
+    const uint16_t width = paper->width, height = paper->height;
     if (width - 1u >= chip->width || height - 1u >= chip->height)
         return PEL_ERROR_SIZE;
     const size_t n = (size_t)PEL_EPAPER_FRAME(width, height);
