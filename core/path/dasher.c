@@ -29,10 +29,10 @@ static void next(struct pel_dasher *d)
     d->left = length_of(stroke, d->index);
 }
 
-/* Goes on by a length below the period. */
+/* Goes on by a length below the period, to a dash without length, too. */
 static void skip(struct pel_dasher *d, int32_t length)
 {
-    for (; length >= d->left; next(d))
+    for (; length >= d->left && (length > 0 || !is_dash(d)); next(d))
         length -= d->left;
     d->left -= length;
 }
@@ -74,7 +74,7 @@ static enum pel_status cut_line(struct pel_dasher *d, const struct pel_point *p,
 {
     enum pel_status status = PEL_OK;
     int32_t way = 0;
-    for (; length - way >= d->left && length > 0 && status == PEL_OK; next(d)) {
+    for (; length - way >= d->left && status == PEL_OK; next(d)) {
         way += d->left;
         const struct pel_point cut = {
             d->at.x + part_of(p->x - d->at.x, way, length),
@@ -98,9 +98,14 @@ static enum pel_status pass_line(struct pel_dasher *d,
     return status == PEL_OK && is_dash(d) ? pass(d, PEL_MOVE, p) : status;
 }
 
+/* Where a part has had no length yet it may become a dot. */
 static enum pel_status line_to(struct pel_dasher *d, struct pel_point p)
 {
     const int32_t length = distance(&d->at, &p);
+    d->stroker.way = (struct pel_point){p.x - d->at.x, p.y - d->at.y};
+    if (length == 0)
+        return is_dash(d) && !d->has_length ? pass(d, PEL_LINE, &p) : PEL_OK;
+    d->has_length = true;
     const enum pel_status status =
         is_seen(d, &p) ? cut_line(d, &p, length) : pass_line(d, &p, length);
     d->at = p;
@@ -121,6 +126,7 @@ static enum pel_status draw(struct pel_pen *pen, enum pel_verb verb,
         d->start = d->at = *p;
     d->index = d->start_index;
     d->left = d->start_left;
+    d->has_length = false;
     return pass(d, PEL_MOVE, p);
 }
 

@@ -12,6 +12,7 @@ struct pel_dasher {
                                          begins, and here */
     int32_t start_index, index; /* of the present one; an even one is a dash */
     struct pel_point start, at;
+    bool has_length; /* this part, up to here */
 };
 
 /* Begins a stroke, with dashes or without; *pen draws it. PEL_ERROR_RANGE: a

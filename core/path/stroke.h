@@ -16,10 +16,11 @@ enum pel_join { PEL_JOIN_BEVEL, PEL_JOIN_MITER, PEL_JOIN_ROUND };
 /* A stroke covers what lies within half of its width, rounded down to 1/256 px,
  * beside each line, and its joins and caps. Round ones are polygons within
  * 1/128 px of the circle. A part of a path without length is a disc with round
- * caps, a square with square ones, else nothing. Corners of the border are
- * rounded to the nearest 1/256 px. Each dash has caps, and joins where it
- * turns; a dash without length is a dot. Dashes of a closed part do not join
- * where it begins.
+ * caps, an upright square with square ones, else nothing; so is a polyline of
+ * one point, but a PEL_MOVE alone is nothing. Corners of the border are rounded
+ * to the nearest 1/256 px. Each dash has caps, and joins where it turns; its
+ * ends are rounded, too, not its direction. A dash without length is a disc or
+ * a square along its line. Dashes of a closed part do not join where it begins.
  */
 struct pel_stroke {
     int32_t width; /* across, in 1/256 px: 0 to PEL_PX(32767) */

@@ -152,11 +152,11 @@ void pel_stroke_cap(struct pel_stroker *s, struct pel_point p,
     cap(s, p, backwards ? negative(line->n) : line->n);
 }
 
-void pel_stroke_dot(struct pel_stroker *s, struct pel_point p)
+void pel_stroke_dot(struct pel_stroker *s, struct pel_point p,
+                    const struct pel_stroke_line *line)
 {
-    const struct pel_point up = {0, -s->half};
-    if (s->stroke->cap == PEL_CAP_BUTT || s->half == 0)
+    if (s->stroke->cap == PEL_CAP_BUTT)
         return;
-    cap(s, p, up);
-    cap(s, p, negative(up));
+    cap(s, p, line->n);
+    cap(s, p, negative(line->n));
 }

@@ -18,19 +18,26 @@ static int32_t across(int32_t u, int32_t half)
     return u < 0 ? -(int32_t)n : (int32_t)n;
 }
 
-/* Of the line from a to b, which are not the same. */
-static void set_line(const struct pel_stroker *s, struct pel_stroke_line *line,
-                     struct pel_point a, struct pel_point b)
+static int64_t square_of(struct pel_point v)
 {
-    const int32_t dx = b.x - a.x, dy = b.y - a.y;
-    const int64_t square = pel_square(dx) + pel_square(dy);
+    return pel_square(v.x) + pel_square(v.y);
+}
+
+/* Of the line to p; a dot that is not of a dash lies to the right. */
+static void set_line(const struct pel_stroker *s, struct pel_stroke_line *line,
+                     struct pel_point p)
+{
+    const struct pel_point step = {p.x - s->at.x, p.y - s->at.y};
+    struct pel_point way = square_of(s->way) ? s->way : step;
     int shift;
-    const uint32_t inverse = pel_inverse_root((uint64_t)square, &shift);
-    line->u.x = part_of(dx, inverse, shift);
-    line->u.y = part_of(dy, inverse, shift);
+    if (square_of(way) == 0)
+        way.x = 1;
+    const uint32_t inverse = pel_inverse_root((uint64_t)square_of(way), &shift);
+    line->u.x = part_of(way.x, inverse, shift);
+    line->u.y = part_of(way.y, inverse, shift);
     line->n.x = across(line->u.y, s->half);
     line->n.y = -across(line->u.x, s->half);
-    line->is_long = square >= pel_square(s->half);
+    line->is_long = square_of(step) >= pel_square(s->half);
 }
 
 /* Its two sides: the one on the left goes along it, the other one back. */
@@ -55,16 +62,16 @@ static bool is_seen(const struct pel_stroker *s, struct pel_point a,
 static void line_to(struct pel_stroker *s, struct pel_point p)
 {
     struct pel_stroke_line line = {.seen = s->half > 0 && is_seen(s, s->at, p)};
+    if (line.seen)
+        set_line(s, &line, p);
+    if (!s->has_line)
+        s->first = line;
     s->has_point = true;
     if (p.x == s->at.x && p.y == s->at.y)
         return;
-    if (line.seen) {
-        set_line(s, &line, s->at, p);
+    if (line.seen)
         draw_sides(s, s->at, p, line.n);
-    }
-    if (!s->has_line)
-        s->first = line;
-    else if (s->last.seen && line.seen)
+    if (s->has_line && s->last.seen && line.seen)
         pel_stroke_join(s, s->at, &s->last, &line);
     s->has_line = true;
     s->last = line;
@@ -77,17 +84,17 @@ static void end_open(struct pel_stroker *s)
         pel_stroke_cap(s, s->start, &s->first, true);
     if (s->has_line && s->last.seen)
         pel_stroke_cap(s, s->at, &s->last, false);
-    if (!s->has_line && s->has_point)
-        pel_stroke_dot(s, s->start);
+    if (!s->has_line && s->has_point && s->first.seen)
+        pel_stroke_dot(s, s->start, &s->first);
     s->has_line = s->has_point = false;
 }
 
 static void end_closed(struct pel_stroker *s)
 {
     line_to(s, s->start);
-    if (!s->has_line)
-        pel_stroke_dot(s, s->start);
-    else if (s->last.seen && s->first.seen)
+    if (!s->has_line && s->first.seen)
+        pel_stroke_dot(s, s->start, &s->first);
+    if (s->has_line && s->last.seen && s->first.seen)
         pel_stroke_join(s, s->start, &s->last, &s->first);
     s->has_line = s->has_point = false;
 }

@@ -25,7 +25,10 @@ struct pel_stroker {
     int circle;    /* log2 of the sides of a round join's circle */
     int32_t round; /* the radius of their corners */
     struct pel_point start, at;
-    struct pel_stroke_line first, last; /* of this part of the path */
+    struct pel_point way; /* along the line whose dashes are drawn: ends that
+                             are rounded would turn short ones; else 0 */
+    struct pel_stroke_line first, last; /* of this part of the path; first may
+                                           be that of a dot */
     bool has_line, has_point;           /* in this part */
     bool room;
     struct pel_point border; /* where the border that is drawn has come to */
@@ -45,13 +48,15 @@ static inline bool pel_stroker_takes(const struct pel_stroker *s,
 }
 
 /* What stroke_turn.c draws at a point: the border from one line to the next; an
- * end, whose line goes there, or came from there: backwards; a dot. */
+ * end, whose line goes there, or came from there: backwards; a dot that
+ * lies along a line. */
 void pel_stroke_join(struct pel_stroker *s, struct pel_point p,
                      const struct pel_stroke_line *before,
                      const struct pel_stroke_line *after);
 void pel_stroke_cap(struct pel_stroker *s, struct pel_point p,
                     const struct pel_stroke_line *line, bool backwards);
-void pel_stroke_dot(struct pel_stroker *s, struct pel_point p);
+void pel_stroke_dot(struct pel_stroker *s, struct pel_point p,
+                    const struct pel_stroke_line *line);
 
 /* Adds a side from a to b. */
 static inline void pel_stroke_side(struct pel_stroker *s, struct pel_point a,
