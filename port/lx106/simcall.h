@@ -6,6 +6,7 @@
 
 enum { SIMCALL_EXIT = 1, SIMCALL_WRITE = 4 };
 
+#ifdef __XTENSA__
 static inline void simcall(int call, uint32_t a, uint32_t b, uint32_t c)
 {
     register int a2 __asm__("a2") = call;
@@ -17,5 +18,6 @@ static inline void simcall(int call, uint32_t a, uint32_t b, uint32_t c)
                      : "r"(a4), "r"(a5)
                      : "memory");
 }
+#endif
 
 #endif

@@ -12,20 +12,20 @@ warnings=$*
 status=0
 drm=$(pkg-config --cflags libdrm 2>/dev/null | sed 's/-I/-isystem /g')
 
-# compiles HEADER COMPILER...
+# compiles HEADER COMPILER... : what stands before it comes by standard input
 compiles() {
     header=$1
     shift
     { cat; printf '#include "%s"\n#include "%s"\nint main(void);\n' \
         "$header" "$header"; } | "$@" $warnings -I. -fsyntax-only - || {
         echo "$header:1: does not compile on its own: $*" >&2
-        status=1
+        return 1
     }
 }
 
 for header in $(find core -name '*.h' | sort); do
-    compiles "$header" $cc -std=c99 -x c </dev/null
-    compiles "$header" clang -std=c99 -x c </dev/null
+    compiles "$header" $cc -std=c99 -x c </dev/null || status=1
+    compiles "$header" clang -std=c99 -x c </dev/null || status=1
 done
 
 public=$($cc -std=c99 -I. -MM -MT x core/pel.h | tr -d '\\' |
@@ -41,10 +41,12 @@ rubbish() {
     done
 }
 for header in $public; do
-    rubbish | compiles "$header" g++ -std=c++11 -x c++ $casts -Wuseless-cast
-    rubbish | compiles "$header" clang++ -std=c++11 -x c++ $casts
+    rubbish | compiles "$header" g++ -std=c++11 -x c++ $casts -Wuseless-cast ||
+        status=1
+    rubbish | compiles "$header" clang++ -std=c++11 -x c++ $casts ||
+        status=1
     rubbish | compiles "$header" $cc -std=gnu99 -x c -Wcast-qual \
-        -D_GNU_SOURCE $drm
+        -D_GNU_SOURCE $drm || status=1
     awk '/PEL_BEGIN_DECLS/ { inside = FNR } /PEL_END_DECLS/ { inside = 0 }
         /^#include.*\.h/ && inside { print FILENAME ":" FNR \
             ": included inside extern \"C\""; bad = 1 } END { exit bad }' \
