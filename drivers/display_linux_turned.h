@@ -29,7 +29,8 @@ struct pel_turned {
 };
 
 /* Makes the upright frame, black, for a device of that size. `format` has the
- * bits of the memory; with 1 or 2 bits it is mono1 or gray8. An errno, or 0. */
+ * bits of the memory: mono1 where it has 1, gray8 where it has 2. An errno, or
+ * 0. */
 int pel_turned_make(struct pel_turned *turned, const struct pel_format *format,
                     const struct pel_turned_memory *memory, int32_t turns);
 void pel_turned_free(struct pel_turned *turned);

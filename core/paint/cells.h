@@ -151,9 +151,9 @@ void pel_cells_color(struct pel_cells *c);
 /* Cells of one pixel value are one, up to so many: more may be out of sight. */
 enum { PEL_CELLS_PASSED = 2048 };
 
-/* How many cells from the one at c->place on are the same pixel value as that,
- * of at least `most` that are looked at; 0: all that may come. Moves on to the
- * next. */
+/* Looks at cells from the one at c->place on until the pixel value changes, or
+ * `most` of them or some more have been seen; returns how many have the value,
+ * 0: all that may come. Moves on to the next. */
 int32_t pel_cells_pass(struct pel_cells *c, int32_t most);
 
 /* Goes on to the next cell and takes its color; false where none comes. */

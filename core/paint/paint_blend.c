@@ -3,8 +3,8 @@
 enum { COLORS = PEL_SMALL_CODE ? 1 : 16 }; /* at a time */
 
 /* The source draws into this surface, whose format combines what it is given
- * with what is on the target. To spare stack, that is where the surface points
- * to, and colors of pixels are here. */
+ * with what is on the target. surface.pixels points to the target, and `out` is
+ * shared by all functions: both spare stack. */
 struct proxy {
     struct pel_surface surface; /* first */
     enum pel_blend_mode mode;

@@ -17,9 +17,9 @@ PEL_BEGIN_DECLS
 /* What a channel becomes, where d is on the surface, as the format's `load`
  * gives it, and s is that of the paint, both 0..255. */
 enum pel_blend_mode {
-    PEL_BLEND_XOR,     /* d ^ s: white inverts. Twice changes nothing, whatever
-                          the color, in the formats of red, green and blue; in
-                          those of grey whatever the grey. Not in inks. */
+    PEL_BLEND_XOR,     /* d ^ s: white inverts. An opaque paint twice brings
+                          back each color in the formats of red, green and
+                          blue; a grey one in those of grey. Not in inks. */
     PEL_BLEND_ADD,     /* d + s, 255 at most: light on light */
     PEL_BLEND_MULTIPLY /* round(d s / 255): ink on paper */
 };
@@ -34,11 +34,12 @@ struct pel_blend {
     enum pel_blend_mode mode;
 };
 
-/* The source may be any paint, and must live as long as this one. It draws into
- * a surface like the shape's with another format, of id 252: so it draws
- * through the format's functions alone. A dither goes around this paint, a mask
- * inside of it; the other way round, and in formats that cannot be read (the
- * _fill ones), nothing is drawn or dithered: a broken contract. PEL_ERROR_NULL,
+/* The source may be any paint but a blend, and must live as long as this one.
+ * It sees a surface of another format, of id 252: so code that is written for
+ * one format is not used under a blend. To dither, put the dither around this
+ * paint: as its source it does nothing. A mask is a source; around this paint
+ * it draws nothing. Nothing is drawn in formats that cannot be read (the _fill
+ * ones) or drawn into (palettes) either: broken contracts. PEL_ERROR_NULL,
  * PEL_ERROR_RANGE (the source is this paint; the mode). */
 enum pel_status pel_blend_init(struct pel_blend *paint,
                                const struct pel_paint *source,

@@ -31,16 +31,17 @@ struct pel_nine_slice {
     const struct pel_surface *picture;
     struct pel_nine_slice_side across, down;
     bool tiled; /* edges and middle are repeated from the left and top on,
-                   instead of stretched to the nearest texel; false at first */
+                   instead of stretched, each pixel the texel at its centre;
+                   false at first */
 };
 
 /* The picture, of any format with a `load`, and its alpha if it has one, must
- * live as long as the paint. `middle`, in px of it, is not empty and inside its
- * bounds; `box`, in px of the screen, is one that a surface may have
- * (pel_bounds_legal). In a box too small for both corners the left and upper
- * ones are in front. Outside of the box nothing is painted. PEL_ERROR_NULL,
- * PEL_ERROR_FORMAT (the picture cannot be read), PEL_ERROR_RANGE (middle,
- * box). */
+ * live as long as the paint. `middle`, in px as its bounds are, is not empty
+ * and inside its bounds; `box`, in px of the screen, is one that a surface may
+ * have (pel_bounds_legal). In a box too small for both corners the left and
+ * upper ones are in front. Outside of the box nothing is painted.
+ * PEL_ERROR_NULL, PEL_ERROR_FORMAT (the picture cannot be read),
+ * PEL_ERROR_RANGE (middle, box). */
 enum pel_status pel_nine_slice_init(struct pel_nine_slice *paint,
                                     const struct pel_surface *picture,
                                     const struct pel_rect *middle,

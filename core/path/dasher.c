@@ -43,7 +43,7 @@ static enum pel_status pass(struct pel_dasher *d, enum pel_verb verb,
     return d->stroker.pen.draw(&d->stroker.pen, verb, p);
 }
 
-/* Below 2^30.6. */
+/* Of legal points: sqrt(2) 2^24 in 1/256 px, times 32, below 2^29.6. */
 static int32_t distance(const struct pel_point *a, const struct pel_point *b)
 {
     struct pel_root root;

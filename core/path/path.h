@@ -94,9 +94,10 @@ enum pel_status pel_path_check(const struct pel_path *path);
  * anything, and may be used again after the call.
  *
  * PEL_ERROR_NULL, PEL_ERROR_FORMAT (as pel_path_check), PEL_ERROR_RANGE (a
- * point, or one on the border of the stroke, out of range; a number of the
- * shape out of its own), PEL_ERROR_SCRATCH (not aligned to 4): nothing is drawn
- * then. PEL_ERROR_SCRATCH, too, where one row has more sides than there is room
+ * point out of range; of a stroke, one nearer to its end than the width, or
+ * than half of the width times the miter limit; a number of the shape out of
+ * its own range), PEL_ERROR_SCRATCH (not aligned to 4): nothing is drawn then.
+ *  PEL_ERROR_SCRATCH, too, where one row has more sides than there is room
  * for: rows above it have been drawn. */
 enum pel_status pel_path_fill(const struct pel_surface *surface,
                               const struct pel_path_shape *shape,

@@ -30,8 +30,8 @@ struct pel_stroke {
                             half of the width, 256 to 4,096; 0 is 1,024. Beyond
                             that a corner is cut off. */
     const int32_t *dash; /* lengths of a dash, a gap, a dash ..., 1/256 px; they
-                            begin anew where they end. Together, twice if they
-                            are odd, 1 to 32,767 px. */
+                            begin anew where they end. Together, twice if their
+                            number is odd, 1 to 32,767 px. */
     int32_t dash_count;  /* 0: no dashes, up to 64 */
     int32_t dash_phase;  /* how far in them a part of a path begins, 1/256 px: 0
                             to PEL_PX(32767) */

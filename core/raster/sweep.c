@@ -35,9 +35,10 @@ static int32_t key_of(const struct pel_sweep_side *side, enum key key)
     return key == BY_X ? side->edge.x : side->first;
 }
 
-/* Shell sort of sides that are mixed, with gaps of 2^k - 1: O(n^1.5) moves.
- * From row to row few change places, so that insertion sort will do: no two
- * sides do it twice. */
+/* Shell sort, with gaps of 2^k - 1, of sides that are mixed, as all are at
+ * first and some where others have entered: O(n^1.5) moves. Else few change
+ * places from row to row, and insertion sort will do: no two sides cross twice.
+ */
 static PEL_INLINE_KINDS void sort(struct pel_sweep *w, int32_t count,
                                   enum key key, bool mixed)
 {

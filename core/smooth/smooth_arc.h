@@ -18,11 +18,11 @@ void pel_smooth_arc(const struct pel_surface *surface,
                     const struct pel_paint *paint);
 
 /* The same with round ends, as of a gauge: half discs beyond the two rays,
- * around the points there of the middle circle, whose radius is
- * (inner + outer) / 2 rounded down to 1/256 px, which are rounded to 1/256 px,
- * and half as large as the arc is wide, rounded down: within 1.1 of 255 times
- * the area of these. Where the ends meet, as of a gauge
- * near 100 %, their coverage adds up, to 255 at most. */
+ * half as large as the arc is wide. Their centres lie on the middle circle,
+ * whose radius is (inner + outer) / 2, and all three are in 1/256 px: both
+ * radii rounded down, the centres rounded to the nearest. Within 1.1 of 255
+ * times the area of these. Where the ends meet, as of a gauge near 100 %, their
+ * coverage adds up, to 255 at most. */
 void pel_smooth_arc_round(const struct pel_surface *surface,
                           const struct pel_arc_shape *arc,
                           const struct pel_paint *paint);

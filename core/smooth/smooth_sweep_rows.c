@@ -2,9 +2,9 @@
 #include "smooth_part.h"
 #include "smooth_sweep.h"
 
-/* False: it touches no row, or has no height. One that is right of
- * the clip cuts rows where it ends and where it crosses others, and so rounds
- * the areas of what is left of it. */
+/* False: it touches no row, or has no height. Edges right of the clip are kept:
+ * they cut rows where they end and where they cross others, and so areas left
+ * of them are rounded as without a clip. */
 static bool is_seen(const struct pel_smooth_sweep *w, const struct pel_point *a,
                     const struct pel_point *b)
 {
