@@ -47,8 +47,8 @@ static bool sort(struct font *font, const char *path)
     size_t n = 1;
     if (font->count == 0)
         return message_error_at(path, 0,
-                                "has none of the wanted characters, or is no "
-                                "font of characters");
+                                "has no glyph with a code point that is "
+                                "wanted: expected a font of characters");
     qsort(font->chars, font->count, sizeof(*font->chars), by_code);
     for (size_t i = 1; i < font->count; i++)
         if (font->chars[n - 1].code != font->chars[i].code)
