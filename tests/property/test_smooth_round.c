@@ -308,7 +308,7 @@ TEST(mirrors)
 
 static void print(const void *value)
 {
-    printf("%s", text_of(value));
+    fprintf(stderr, "%s\n", text_of(value));
 }
 
 /* Shapes that touch the sides of their surface, in memory of its own: the
