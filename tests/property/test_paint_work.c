@@ -85,6 +85,5 @@ TEST(bounded_work)
         if (colors_taken > most)
             fail_msg("%d colors, %d at most; %s", colors_taken, most,
                      cases_replay());
-        cases_forget();
     }
 }
