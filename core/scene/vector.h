@@ -36,9 +36,8 @@ typedef int32_t pel_factor;
 
 /* pel_scale_down: v 2^-n, -62 <= n <= 62; pel_scaled: a b 2^-n, 0 <= n <= 62;
  * pel_weighted: the dot product 2^-30. The nearest, a tie upwards; it must fit.
- * Inline where a CPU has 64 bits, or multiplies to them and code need not be
- * small; elsewhere functions of vector.c. */
-#if PEL_64BIT || (PEL_LONG_MULTIPLY && !defined(__OPTIMIZE_SIZE__))
+ * Inline where a CPU has 64 bits, elsewhere functions of vector.c. */
+#if PEL_64BIT
 #define PEL_WIDE static inline
 #include "vector.inc"
 #else
