@@ -53,10 +53,10 @@ static int32_t distance(const struct pel_point *a, const struct pel_point *b)
     return (int32_t)root.root;
 }
 
-/* round(v way / length), where |v| UNIT and way are at most the length. */
-static int32_t part_of(int32_t v, int32_t way, int32_t length)
+/* round(v along / length), where |v| UNIT and along are at most the length. */
+static int32_t part_of(int32_t v, int32_t along, int32_t length)
 {
-    const uint64_t n = (uint64_t)pel_long_product(pel_magnitude(v), way);
+    const uint64_t n = (uint64_t)pel_long_product(pel_magnitude(v), along);
     const int32_t part =
         (int32_t)pel_divide(n + (uint32_t)length / 2, (uint32_t)length);
     return v < 0 ? -part : part;
@@ -73,17 +73,18 @@ static enum pel_status cut_line(struct pel_dasher *d, const struct pel_point *p,
                                 int32_t length)
 {
     enum pel_status status = PEL_OK;
-    int32_t way = 0;
-    for (; length - way >= d->left && status == PEL_OK; next(d)) {
-        way += d->left;
+    int32_t along = 0;
+    for (; length - along >= d->left && status == PEL_OK; next(d)) {
+        along += d->left;
         const struct pel_point cut = {
-            d->at.x + part_of(p->x - d->at.x, way, length),
-            d->at.y + part_of(p->y - d->at.y, way, length)};
+            d->at.x + part_of(p->x - d->at.x, along, length),
+            d->at.y + part_of(p->y - d->at.y, along, length)};
         status = pass(d, is_dash(d) ? PEL_LINE : PEL_MOVE, &cut);
     }
-    d->left -= length - way;
-    return status == PEL_OK && is_dash(d) && way < length ? pass(d, PEL_LINE, p)
-                                                          : status;
+    d->left -= length - along;
+    return status == PEL_OK && is_dash(d) && along < length
+               ? pass(d, PEL_LINE, p)
+               : status;
 }
 
 /* A dash that comes to a line that is not near the rows goes along it, where
@@ -102,7 +103,7 @@ static enum pel_status pass_line(struct pel_dasher *d,
 static enum pel_status line_to(struct pel_dasher *d, struct pel_point p)
 {
     const int32_t length = distance(&d->at, &p);
-    d->stroker.way = (struct pel_point){p.x - d->at.x, p.y - d->at.y};
+    d->stroker.direction = (struct pel_point){p.x - d->at.x, p.y - d->at.y};
     if (length == 0)
         return is_dash(d) && !d->has_length ? pass(d, PEL_LINE, &p) : PEL_OK;
     d->has_length = true;

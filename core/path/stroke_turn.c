@@ -78,8 +78,9 @@ static void arc(struct pel_stroker *s, struct pel_point p,
     }
 }
 
-/* round(half v / k) of a sum of two directions, for 1 + cos of the turn between
- * them, all 2^28 long: half v is below 2^50, and k is 2^21 at least. */
+/* round(half v / k), v half of the sum of two directions, 2^29 at most, and k
+ * 2^28 times 1 + cos of the turn between them, 2^21 at least: half v is 2^51 at
+ * most. */
 static int32_t meet(int32_t v, int32_t half, int32_t k)
 {
     const uint64_t n = (uint64_t)pel_product(pel_magnitude(v), half);
@@ -102,8 +103,8 @@ static void miter(struct pel_stroker *s, struct pel_point p, int32_t side,
               p.y - side * meet((m->u.x + n->u.x) / 2, s->half, k));
 }
 
-/* Both lines cover what lies between the straight way and that by the point, if
- * they are long enough. */
+/* Both lines cover what lies between the straight line and that by the point,
+ * if they are long enough. */
 static void inner_side(struct pel_stroker *s, struct pel_point p,
                        struct pel_point from, struct pel_point to,
                        bool straight)

@@ -28,13 +28,14 @@ static void set_line(const struct pel_stroker *s, struct pel_stroke_line *line,
                      struct pel_point p)
 {
     const struct pel_point step = {p.x - s->at.x, p.y - s->at.y};
-    struct pel_point way = square_of(s->way) ? s->way : step;
+    struct pel_point direction = square_of(s->direction) ? s->direction : step;
     int shift;
-    if (square_of(way) == 0)
-        way.x = 1;
-    const uint32_t inverse = pel_inverse_root((uint64_t)square_of(way), &shift);
-    line->u.x = part_of(way.x, inverse, shift);
-    line->u.y = part_of(way.y, inverse, shift);
+    if (square_of(direction) == 0)
+        direction.x = 1;
+    const uint32_t inverse =
+        pel_inverse_root((uint64_t)square_of(direction), &shift);
+    line->u.x = part_of(direction.x, inverse, shift);
+    line->u.y = part_of(direction.y, inverse, shift);
     line->n.x = across(line->u.y, s->half);
     line->n.y = -across(line->u.x, s->half);
     line->is_long = square_of(step) >= pel_square(s->half);

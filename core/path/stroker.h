@@ -25,8 +25,9 @@ struct pel_stroker {
     int circle;    /* log2 of the sides of a round join's circle */
     int32_t round; /* the radius of their corners */
     struct pel_point start, at;
-    struct pel_point way; /* along the line whose dashes are drawn: ends that
-                             are rounded would turn short ones; else 0 */
+    struct pel_point direction; /* of the line whose dashes are drawn: ends
+                                   that are rounded would turn short ones; else
+                                   0 */
     struct pel_stroke_line first, last; /* of this part of the path; first may
                                            be that of a dot */
     bool has_line, has_point;           /* in this part */
