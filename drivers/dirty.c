@@ -6,13 +6,6 @@ static int32_t pixels(const struct pel_rect *r)
     return (r->x1 - r->x0) * (r->y1 - r->y0);
 }
 
-static struct pel_rect box_of(const struct pel_rect *a,
-                              const struct pel_rect *b)
-{
-    return (struct pel_rect){pel_min(a->x0, b->x0), pel_min(a->y0, b->y0),
-                             pel_max(a->x1, b->x1), pel_max(a->y1, b->y1)};
-}
-
 /* Makes the box of the two areas that it costs least to join. false: joining
  * any two costs more than a window, and there is room for all. */
 static bool join(struct pel_dirty_areas *d)
@@ -22,7 +15,7 @@ static bool join(struct pel_dirty_areas *d)
     for (int32_t i = 1; i < d->count; i++)
         for (int32_t k = 0; k < i; k++) {
             const struct pel_rect *a = &d->area[i], *b = &d->area[k];
-            const struct pel_rect box = box_of(a, b);
+            const struct pel_rect box = pel_rect_join(a, b);
             const int32_t cost = pixels(&box) - pixels(a) - pixels(b);
             if (cost < least) {
                 least = cost;
@@ -32,7 +25,7 @@ static bool join(struct pel_dirty_areas *d)
         }
     if (from < 0)
         return false;
-    d->area[to] = box_of(&d->area[from], &d->area[to]);
+    d->area[to] = pel_rect_join(&d->area[from], &d->area[to]);
     d->area[from] = d->area[--d->count];
     return true;
 }

@@ -137,10 +137,7 @@ void pel_turned_change(struct pel_turned *turned, const struct pel_rect *a)
     struct pel_rect *const c = &turned->changed;
     if (pel_rect_empty(a))
         return;
-    if (pel_rect_empty(c))
-        *c = *a;
-    *c = (struct pel_rect){pel_min(c->x0, a->x0), pel_min(c->y0, a->y0),
-                           pel_max(c->x1, a->x1), pel_max(c->y1, a->y1)};
+    *c = pel_rect_empty(c) ? *a : pel_rect_join(c, a);
 }
 
 void pel_turned_forget(struct pel_turned *turned)

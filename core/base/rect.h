@@ -36,6 +36,18 @@ static inline struct pel_rect pel_corners_box(const struct pel_point v[3])
     return r;
 }
 
+/* The box of two that are not empty. */
+static inline struct pel_rect pel_rect_join(const struct pel_rect *a,
+                                            const struct pel_rect *b)
+{
+    struct pel_rect r;
+    r.x0 = pel_min(a->x0, b->x0);
+    r.y0 = pel_min(a->y0, b->y0);
+    r.x1 = pel_max(a->x1, b->x1);
+    r.y1 = pel_max(a->y1, b->y1);
+    return r;
+}
+
 /* The box of n >= 1 points. */
 static inline struct pel_rect pel_points_box(const struct pel_point *v,
                                              int32_t n)
