@@ -88,6 +88,12 @@ static inline void draw_polygon_outline(const struct pel_paint *paint)
     pel_polygon_outline(&screen, &polygon, paint, scratch, sizeof scratch);
 }
 
+/* A font of the glyphs, the range and the bits at hand. */
+#define TWO_GLYPHS                                                     \
+    .magic = PEL_FONT_MAGIC, .version = PEL_FONT_VERSION, .ascent = 7, \
+    .descent = 1, .ranges = 1, .glyphs = 2, .missing = 1, .size = 8,   \
+    .range = &range, .glyph = glyph, .bits = bits
+
 static inline void draw_text(const struct pel_paint *paint)
 {
     static const uint8_t bits[8] = {0x3C, 0x42, 0xA5, 0x81,
@@ -95,17 +101,7 @@ static inline void draw_text(const struct pel_paint *paint)
     static const struct pel_font_range range = {'a', 2, 0};
     static const struct pel_font_glyph glyph[2] = {{0, 8, 8, 0, 7, 9},
                                                    {0, 7, 6, 0, 6, 8}};
-    static const struct pel_font_asset font = {.magic = PEL_FONT_MAGIC,
-                                               .version = PEL_FONT_VERSION,
-                                               .ascent = 7,
-                                               .descent = 1,
-                                               .ranges = 1,
-                                               .glyphs = 2,
-                                               .missing = 1,
-                                               .size = 8,
-                                               .range = &range,
-                                               .glyph = glyph,
-                                               .bits = bits};
+    static const struct pel_font_asset font = {TWO_GLYPHS};
     static const struct pel_text_block text = {&font, "ab?\na", 40, 50};
     pel_text(&screen, &text, paint);
 }
@@ -118,17 +114,7 @@ static inline void draw_smooth_text(const struct pel_paint *paint)
     static const struct pel_font_range range = {'a', 2, 0};
     static const struct pel_font_glyph glyph[2] = {
         {0, 4, 4, 0, 7, 9}, {PEL_FONT_RAW, 4, 4, 0, 6, 8}};
-    static const struct pel_font_asset font = {.magic = PEL_FONT_MAGIC,
-                                               .version = PEL_FONT_VERSION,
-                                               .ascent = 7,
-                                               .descent = 1,
-                                               .ranges = 1,
-                                               .glyphs = 2,
-                                               .missing = 1,
-                                               .size = 8,
-                                               .range = &range,
-                                               .glyph = glyph,
-                                               .bits = bits,
+    static const struct pel_font_asset font = {TWO_GLYPHS,
                                                .kind = &pel_font_smooth};
     static const struct pel_text_block text = {&font, "ab?\na", 40, 50};
     pel_text(&screen, &text, paint);

@@ -6,21 +6,13 @@
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
 #include "tests/support/shapes.h"
+#include "tests/support/stroke_area.h"
 
 enum { SIZE = 24 };
 
 static uint64_t scratch[1 << 16];
 static struct canvas whole, other;
 static const struct pel_flat ink = PEL_FLAT(PEL_RGBA(200, 40, 90, 120));
-
-static void print_line(const void *value)
-{
-    const struct pel_polyline_shape *const l = value;
-    print_error("polyline of %d points, closed %d, width %d, cap %d, join %d, "
-                "limit %d\n",
-                l->n, l->closed, l->stroke.width, (int)l->stroke.cap,
-                (int)l->stroke.join, l->stroke.miter_limit);
-}
 
 static enum pel_status draw(const struct pel_surface *surface, bool smooth,
                             const struct pel_polyline_shape *line, size_t size)
@@ -268,7 +260,7 @@ TEST(dashes_have_the_direction_of_their_line)
             5 * period - (int32_t)way % period + random_between(r, -9, 9) +
             (int32_t)(random_word(r) % 2) * dash[0];
         shape_keep(v, n);
-        cases_keep(print_line, &line, sizeof line);
+        cases_keep(stroke_print, &line, sizeof line);
         measure_dashes(&line);
         hits_open(&hits, &bounds);
         assert_int_equal(pel_polyline(&hits.surface, &line, &hits.paint,

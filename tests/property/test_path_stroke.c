@@ -23,15 +23,6 @@ static void open_window(const struct pel_rect *bounds)
         PEL_OK);
 }
 
-static void print_line(const void *value)
-{
-    const struct pel_polyline_shape *const l = value;
-    print_error("polyline of %d points, closed %d, width %d, cap %d, join %d, "
-                "limit %d\n",
-                l->n, l->closed, l->stroke.width, (int)l->stroke.cap,
-                (int)l->stroke.join, l->stroke.miter_limit);
-}
-
 /* How long parts are: as long as the window, a few pixels, short, tiny. */
 static struct pel_polyline_shape random_line(struct random *r,
                                              struct pel_point *v)
@@ -59,7 +50,7 @@ static struct pel_polyline_shape random_line(struct random *r,
             v[i].y = v[i - 1].y;
     }
     shape_keep(v, line.n);
-    cases_keep(print_line, &line, sizeof line);
+    cases_keep(stroke_print, &line, sizeof line);
     return line;
 }
 

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tests/support/check.h"
+
 /* A stroke is the union of convex pieces: polygons, and parts of discs. */
 struct piece {
     int n; /* corners; 0: the disc around v[0], in front of lines through that
@@ -214,4 +216,13 @@ bool stroke_area(const struct pel_polyline_shape *line, int32_t x0, int32_t y0,
             add_scanline(y0 + y + (i + .5) / scanlines, x0, 1. / scanlines,
                          area[y]);
     return sure;
+}
+
+void stroke_print(const void *line)
+{
+    const struct pel_polyline_shape *const l = line;
+    print_error("polyline of %d points, closed %d, width %d, cap %d, join %d, "
+                "limit %d\n",
+                l->n, l->closed, l->stroke.width, (int)l->stroke.cap,
+                (int)l->stroke.join, l->stroke.miter_limit);
 }

@@ -14,4 +14,7 @@ bool stroke_area(const struct pel_polyline_shape *line, int32_t x0, int32_t y0,
                  int scanlines,
                  double area[STROKE_AREA_SIZE][STROKE_AREA_SIZE]);
 
+/* A polyline, for cases_keep. */
+void stroke_print(const void *line);
+
 #endif
