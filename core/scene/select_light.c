@@ -66,18 +66,18 @@ static uint64_t sixth_of(uint64_t v)
     return (v >> 10) * 171 + 171;
 }
 
-static uint32_t square_of(uint32_t part)
-{
-    return (uint32_t)((uint64_t)part * part >> 16) + 1;
-}
-
 static uint64_t curve_of(uint64_t v)
 {
     return (v * 50 >> 8) + 1;
 }
 
-static void set_corners(const struct pel_frame *frame,
-                        struct pel_lit_corners *corners)
+/* Of the triangle's vertices. */
+struct corners {
+    int32_t normal[3][3];
+    int32_t position[3][3]; /* lighting units */
+};
+
+static void set_corners(const struct pel_frame *frame, struct corners *corners)
 {
     const struct pel_mesh_lights *lights = &frame->lights;
     for (int i = 0; i < 3; i++) {
@@ -112,17 +112,13 @@ static struct squares squares_of(int32_t v[3][3])
 }
 
 /* False where normals turn too far. */
-static bool turn_of_normals(struct pel_lit_corners *corners,
+static bool turn_of_normals(struct corners *corners,
                             struct pel_light_bounds *bounds)
 {
     const struct squares s = squares_of(corners->normal);
-    if (s.edge >= s.least || s.most - s.least >= s.least)
+    if (s.edge >= s.least)
         return false;
-    const uint64_t least = s.least - 2 * sixth_of(s.edge);
-    const uint64_t half = (s.most - least) / 2;
-    corners->length = least + half;
-    bounds->normal = ratio(s.edge, least);
-    bounds->length = square_of(ratio(half, corners->length));
+    bounds->normal = ratio(s.edge, s.least - 2 * sixth_of(s.edge));
     return true;
 }
 
@@ -130,8 +126,8 @@ static bool turn_of_normals(struct pel_lit_corners *corners,
  * distance is less than that of the nearest vertex by edge / 3 at most, and 1/4
  * edge around by half the difference of the vertices' more. False where the
  * direction turns by 1/2 or more. */
-static bool turn_to(const int32_t place[3],
-                    const struct pel_lit_corners *corners, uint32_t *turn)
+static bool turn_to(const int32_t place[3], const struct corners *corners,
+                    uint32_t *turn)
 {
     int32_t way[3][3];
     for (int i = 0; i < 9; i++)
@@ -147,8 +143,7 @@ static bool turn_to(const int32_t place[3],
 }
 
 static bool turns_of(const struct pel_mesh_lights *lights,
-                     struct pel_lit_corners *corners,
-                     struct pel_light_bounds *bounds)
+                     struct corners *corners, struct pel_light_bounds *bounds)
 {
     if (!turn_of_normals(corners, bounds) ||
         !turn_to(lights->eye, corners, &bounds->eye))
@@ -160,11 +155,11 @@ static bool turns_of(const struct pel_mesh_lights *lights,
     return true;
 }
 
-/* With light on both sides, turns normals towards the eye. False where some may
- * point at it and some away, in the triangle or 1/4 around. */
-static bool turn_to_eye(const struct pel_mesh_lights *lights,
+/* With light on both sides: false where some normals may point at the eye and
+ * some away from it, in the triangle or 1/4 around. */
+static bool is_one_side(const struct pel_mesh_lights *lights,
                         const struct pel_light_bounds *bounds,
-                        struct pel_lit_corners *corners)
+                        struct corners *corners)
 {
     int32_t normal[3], eye[3];
     for (int k = 0; k < 3; k++)
@@ -172,15 +167,12 @@ static bool turn_to_eye(const struct pel_mesh_lights *lights,
     pel_normalize_fast(eye, eye);
     pel_normalize_fast(corners->normal[0], normal);
     const int32_t along = pel_weighted(normal, eye);
-    if (pel_magnitude(along) >> 14 <=
-        (int32_t)(bounds->normal + bounds->eye) * 21 / 16 + 1)
-        return false;
-    for (int i = 0; i < 9 && along < 0; i++)
-        corners->normal[i / 3][i % 3] = -corners->normal[i / 3][i % 3];
-    return true;
+    return pel_magnitude(along) >> 14 >
+           (int32_t)(bounds->normal + bounds->eye) * 21 / 16 + 1;
 }
 
-uint32_t pel_light_strength(const struct pel_mesh_lights *lights, bool specular)
+/* The largest factor of a channel, summed over lights: at most 2^29. */
+static uint32_t strength(const struct pel_mesh_lights *lights, bool specular)
 {
     uint32_t sum = 0;
     for (int32_t i = 0; i < lights->count; i++) {
@@ -251,39 +243,37 @@ static uint64_t add_highlights(const struct pel_frame *frame,
     const int32_t p = frame->lights.lighting->shininess;
     const uint64_t q = 2 * b->normal + b->light + b->eye;
     const pel_cosine w = nearest(frame, note, (uint32_t)q);
-    const uint64_t power = ((uint32_t)pel_cosine_power(w, p - 1) >> 14) + 1;
-    b->slope = (s * (uint32_t)p * power >> 16) + 1;
     b->curve += sixth_of((s * curvature(p, w) >> 16) * (q * q >> 16)) >> 16;
     b->curve += (s * (uint32_t)p >> 17) + 1; /* roots and powers */
     if (p == 1)
         b->kink += s * q >> 18;
-    b->dull = ((s * power >> 16) * (((uint32_t)w >> 14) + 1) >> 16) + 2;
     if (tears)
-        b->tear = b->dull;
+        b->tear =
+            (s * (((uint32_t)pel_cosine_power(w, p) >> 14) + 1) >> 16) + 2;
     return s * q * root_above((uint32_t)p) >> 16;
 }
 
 /* Turns are at most 2^18 and factors 2^29, so a product of three is below 2^63
  * after a shift by 16 of the second. */
 bool pel_light_bound(struct pel_frame *frame, const uint8_t note[3],
-                     const pel_color color[3], struct pel_lit_corners *corners,
-                     struct pel_light_bounds *bounds)
+                     const pel_color color[3], struct pel_light_bounds *bounds)
 {
     const struct pel_lighting *lighting = frame->lights.lighting;
     struct pel_light_bounds *b = bounds;
-    *b = (struct pel_light_bounds){
-        .diffuse = pel_light_strength(&frame->lights, false)};
-    set_corners(frame, corners);
-    if (!turns_of(&frame->lights, corners, b) ||
-        (lighting->both_sides && !turn_to_eye(&frame->lights, b, corners)))
+    struct corners corners;
+    *b = (struct pel_light_bounds){.normal = 0};
+    set_corners(frame, &corners);
+    if (!turns_of(&frame->lights, &corners, b) ||
+        (lighting->both_sides && !is_one_side(&frame->lights, b, &corners)))
         return false;
-    const uint64_t s = pel_light_strength(&frame->lights, true);
+    const uint64_t d = strength(&frame->lights, false);
+    const uint64_t s = strength(&frame->lights, true);
     const uint64_t nl = b->normal + b->light;
     const int h = pel_max(pel_max(note[0] >> 5, note[1] >> 5), note[2] >> 5);
     const bool crosses = h == 0 || nl * 21 / 16 > UINT32_C(1) << (8 + h);
-    uint64_t change = b->diffuse * nl >> 16;
-    b->curve = curve_of(b->diffuse * (nl * nl >> 16) >> 16);
-    b->kink = crosses ? b->diffuse * nl >> 18 : 0;
+    uint64_t change = d * nl >> 16;
+    b->curve = curve_of(d * (nl * nl >> 16) >> 16);
+    b->kink = crosses ? d * nl >> 18 : 0;
     if (s)
         change += add_highlights(frame, note, s,
                                  crosses && lighting->no_back_highlights, b);
@@ -295,25 +285,13 @@ bool pel_light_bound(struct pel_frame *frame, const uint8_t note[3],
     return true;
 }
 
-uint64_t pel_light_quick_bound(const struct pel_light_bounds *bounds,
-                               uint32_t part)
+/* Beyond n = 3/4 normals outside of the triangle may be too short. */
+uint64_t pel_light_span_bound(const struct pel_light_bounds *bounds,
+                              uint32_t part)
 {
     const struct pel_light_bounds *b = bounds;
-    const uint64_t s = part, times = 65536 + 20 * s;
-    const uint64_t beyond = s * (65536 + 2 * s) >> 15;
-    const uint64_t edge = square_of(b->normal) + 3 * (uint64_t)b->length;
-    const uint64_t d = b->length + (beyond * edge >> 16) + 1;
-    if (d > 16384)
-        return UINT64_MAX;
-    const uint64_t fourth = square_of(square_of((uint32_t)d));
-    const uint64_t fifth = fourth * d >> 16;
-    const uint64_t light = square_of(b->light), eye = square_of(b->eye);
-    const uint64_t diffuse =
-        fourth * 3 / 8 + (curve_of(light * times) >> 16) + 3;
-    const uint64_t slope =
-        2 * fifth + (curve_of((light + eye) * times) >> 16) + 4;
+    const uint64_t s = part;
     const uint64_t lines =
         (b->curve * (s * s >> 16) >> 16) + (b->kink * s >> 16);
-    return ((b->diffuse * diffuse + b->slope * slope) >> 16) + lines +
-           lines / 4 + 1 + b->tear;
+    return b->normal < 49152 ? lines + lines / 4 + 1 + b->tear : UINT64_MAX;
 }

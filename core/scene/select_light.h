@@ -24,9 +24,7 @@
  * M (E s)^2 / 8 from linear. Around the triangle n may be shorter than inside,
  * by a factor of 1 - n / 4 > 13/16 where n < 3/4, so that counts as 5/4 s^2
  * times the bound of the plane, and a kink as 5/4 s; directions turn by 1/4
- * times 5/4 more there, so |R - V| and N.L are looked at over 21/16 edges. The
- * error of a plane is 1 + 20 s times that inside, or less; n.n, whose weights
- * are from -s to 1 + 2 s, changes by 2 s (1 + 2 s) of the squares of edges.
+ * times 5/4 more there, so |R - V| and N.L are looked at over 21/16 edges.
  *
  * K grows with w while p w^2 - 7/6 w <= p - 2, so the smallest angle between R
  * and V bounds it: |R - V| changes by at most q. max(N.L, 0) adds the error of
@@ -34,7 +32,6 @@
 #ifndef PEL_SCENE_SELECT_LIGHT_H
 #define PEL_SCENE_SELECT_LIGHT_H
 
-#include "paint_phong_quick.h"
 #include "shading.h"
 
 PEL_BEGIN_DECLS
@@ -56,33 +53,26 @@ struct pel_color_ranges {
 
 struct pel_color_ranges pel_color_ranges_of(const pel_color color[3]);
 
-/* The largest factor of a channel, summed over lights: at most 2^29. */
-uint32_t pel_light_strength(const struct pel_mesh_lights *lights,
-                            bool specular);
-
-/* What is known of the light over a triangle. How far directions turn over its
- * longest edge, 2^-16; how far the squares of the normals' lengths are from
- * that of corners->length, as a part of it. */
+/* What is known of the light over a triangle. */
 struct pel_light_bounds {
-    uint32_t normal, eye, light, length;
+    /* 2^-16: how far the normals, and the directions to the eye and to a light,
+     * turn over its longest edge. */
+    uint32_t normal, eye, light;
 
     /* 1/256 steps: the difference of light from the plane through the vertices,
      * on surfaces of the vertices' colors; its parts on white, by curvature, by
-     * signs of N.L and by highlights that end at N.L = 0; the strengths of both
-     * terms; highlights themselves. */
-    uint64_t plane, curve, kink, tear, diffuse, slope, dull;
+     * signs of N.L and by highlights that end at N.L = 0. */
+    uint64_t plane, curve, kink, tear;
 };
 
-/* Sets `corners` and the bounds of frame->work->triangle, on surfaces of no
- * more than color[i] at vertex i. False where none is known. */
+/* Sets the bounds of frame->work->triangle, on surfaces of no more than
+ * color[i] at vertex i. False where none is known. */
 bool pel_light_bound(struct pel_frame *frame, const uint8_t note[3],
-                     const pel_color color[3], struct pel_lit_corners *corners,
-                     struct pel_light_bounds *bounds);
+                     const pel_color color[3], struct pel_light_bounds *bounds);
 
-/* The bound of light from paint_phong_quick.h on white: computed at every pixel
- * (part 0), or at the ends of spans, which are part / 65,536 of an edge, up to
- * 1/4, and linear between. */
-uint64_t pel_light_quick_bound(const struct pel_light_bounds *bounds,
-                               uint32_t part);
+/* The bound on white of light that is linear between the ends of spans, which
+ * are part / 65,536 of an edge, up to 1/4. */
+uint64_t pel_light_span_bound(const struct pel_light_bounds *bounds,
+                              uint32_t part);
 PEL_END_DECLS
 #endif

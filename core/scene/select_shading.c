@@ -6,14 +6,14 @@
  * right to 1/64; a texture's factors are rounded once more. */
 enum { GOURAUD_ERROR = 128 + 4, FACTOR_ERROR = 128 };
 
-/* Polynomials end in roundings of 1/64 step and less. */
-enum { QUICK_ERROR = 8, SPAN_MOST = 3 };
+/* The change of light in a pixel, of both terms, is cut to 2^-16: seven times
+ * in a span. */
+enum { SPAN_ERROR = 16 };
 
 /* What a triangle's paint is chosen by. */
 struct choice {
     const struct pel_color_paint *surface;
     pel_color lit[3], own[3]; /* the vertices' colors */
-    struct pel_lit_corners corners;
     struct pel_light_bounds bounds;
 };
 
@@ -60,35 +60,26 @@ static uint32_t edge_part(const struct pel_plane_setup *s)
            1;
 }
 
-/* Light by polynomials, at every pixel or at the ends of the longest spans, up
- * to 1/4 edge, that are good enough; NULL where neither is. Highlights are left
- * out where they take less than half of what there is. */
-static const struct pel_paint *try_quick(struct pel_frame *frame,
+/* Light at the ends of the longest spans, up to 1/4 edge, that are good enough;
+ * NULL where none is. */
+static const struct pel_paint *try_spans(struct pel_frame *frame,
                                          const struct choice *c)
 {
-    const struct pel_light_bounds *b = &c->bounds;
-    uint64_t room = (uint32_t)frame->tolerance - QUICK_ERROR;
-    uint64_t bound = pel_light_quick_bound(b, 0);
-    if (bound > room || frame->lights.count > PEL_QUICK_LIGHTS)
-        return NULL;
-    struct pel_phong_quick *quick = &frame->work->paint.quick;
-    pel_phong_quick_init(quick, frame, &c->corners, c->surface, c->own);
-    quick->dull = bound + b->dull <= room / 2;
-    const uint64_t dull = quick->dull ? b->dull : 0;
+    const uint64_t room = (uint32_t)frame->tolerance - SPAN_ERROR;
     const uint32_t part = edge_part(pel_frame_setup(frame));
-    quick->span = b->normal < 49152 ? SPAN_MOST : 0;
-    for (; quick->span; quick->span--) {
-        if (part >= 16384u >> quick->span)
+    for (int bits = PEL_PHONG_SPAN_MOST; bits > 0; bits--) {
+        if (part >= 16384u >> bits)
             continue;
-        const uint64_t spans = pel_light_quick_bound(b, part << quick->span);
-        if (spans <= room - dull) {
-            bound = spans;
-            break;
-        }
+        const uint64_t bound = pel_light_span_bound(&c->bounds, part << bits);
+        if (bound > room)
+            continue;
+        struct pel_phong *phong = pel_phong_paint(frame, c->surface, c->own);
+        phong->base.colors = pel_phong_spans;
+        phong->span = (uint8_t)bits;
+        note(frame, PEL_METHOD_SPANS, bound + SPAN_ERROR);
+        return &phong->base.paint;
     }
-    note(frame, quick->span ? PEL_METHOD_SPANS : PEL_METHOD_QUICK,
-         bound + dull + QUICK_ERROR);
-    return &quick->base.paint;
+    return NULL;
 }
 
 /* Twice the area, 1/65,536 px, of two pixels: these take less than their bound
@@ -107,17 +98,17 @@ static const struct pel_paint *chosen_paint(
         c.lit[i] = (c.lit[i] & 0xFFFFFFu) | (uint32_t)frame->alpha << 24;
         c.own[i] = pel_frame_surface(frame, frame->work->triangle.vertex[i]);
     }
-    if (frame->tolerance >= QUICK_ERROR &&
+    if (frame->tolerance >= SPAN_ERROR &&
         pel_frame_setup(frame)->area >= FEW_PIXELS &&
-        pel_light_bound(frame, notes, c.own, &c.corners, &c.bounds)) {
+        pel_light_bound(frame, notes, c.own, &c.bounds)) {
         paint = try_vertices(frame, &c);
         if (!paint)
-            paint = try_quick(frame, &c);
+            paint = try_spans(frame, &c);
     }
     if (paint)
         return paint;
     note(frame, PEL_METHOD_PHONG, 0);
-    return pel_phong_paint(frame, surface, c.own);
+    return &pel_phong_paint(frame, surface, c.own)->base.paint;
 }
 
 /* What a light may add to a channel, 1/256 step: 255/256 of the sum of its

@@ -8,21 +8,10 @@
 #include "depth.h"
 #include "light.h"
 #include "paint_perspective.h"
-#include "paint_phong_quick.h"
+#include "paint_phong.h"
 #include "scene.h"
 
 PEL_BEGIN_DECLS
-
-/* The paint of pel_shade_phong. The colors are those of `surface`, or where
- * that is NULL those of `colors`, to 1/256 step. */
-struct pel_phong {
-    struct pel_color_paint base;
-    const struct pel_mesh_lights *lights;
-    const struct pel_color_paint *surface;
-    struct pel_gouraud colors;
-    struct pel_plane plane[6]; /* of the normal and of the position */
-    uint8_t alpha;             /* multiplies that of the surface */
-};
 
 /* A paint that modulates: colors of `surface` times those of `factor`, as
  * 0..1, alphas too. */
@@ -56,7 +45,6 @@ struct pel_frame_work {
         struct pel_gouraud gouraud;
         struct pel_modulated modulated;
         struct pel_phong phong;
-        struct pel_phong_quick quick;
     } paint;
     struct pel_perspective perspective;
     struct pel_depth_paint depth;
@@ -183,9 +171,9 @@ enum pel_status pel_frame_start_light(struct pel_frame *frame);
 extern const struct pel_shading pel_shade_phong;
 
 /* Its paint, of a triangle whose vertices have these surface colors. */
-const struct pel_paint *pel_phong_paint(struct pel_frame *frame,
-                                        const struct pel_color_paint *surface,
-                                        const pel_color color[3]);
+struct pel_phong *pel_phong_paint(struct pel_frame *frame,
+                                  const struct pel_color_paint *surface,
+                                  const pel_color color[3]);
 
 /* pel_texture_init_nearest or pel_texture_init_bilinear. */
 typedef enum pel_status pel_sampler(struct pel_texture *paint,

@@ -115,8 +115,7 @@ static const struct pel_paint *paint_method(
 {
     static const struct pel_flat paints[PEL_METHODS] = {
         PEL_FLAT(PEL_RGB(96, 96, 96)), PEL_FLAT(PEL_RGB(64, 128, 255)),
-        PEL_FLAT(PEL_RGB(64, 192, 64)), PEL_FLAT(PEL_RGB(255, 192, 0)),
-        PEL_FLAT(PEL_RGB(224, 32, 32))};
+        PEL_FLAT(PEL_RGB(64, 192, 64)), PEL_FLAT(PEL_RGB(224, 32, 32))};
     pel_shade_chosen.paint(frame, surface);
     return &paints[frame->work->method].paint;
 }

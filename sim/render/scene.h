@@ -130,7 +130,7 @@ struct scene_settings {
                                           of textures in perspective */
     bool stats;                        /* count them, in one thread at a time */
     bool show_methods; /* in their colors instead of the picture's: grey, blue,
-                          green, yellow, red */
+                          green, red */
 };
 
 /* Defaults: up is +y, perspective, 50 mm on a sensor 36 mm wide,

@@ -222,12 +222,11 @@ static struct pel_light_bounds bounds_of(const struct any_scene *s,
                                          struct pel_frame *frame)
 {
     const pel_color own[3] = {s->scene.color, s->scene.color, s->scene.color};
-    struct pel_lit_corners corners;
     struct pel_light_bounds bounds;
     uint8_t note[3];
     for (int i = 0; i < 3; i++)
         note[i] = (uint8_t)(frame->vertex[i].color >> 24);
-    assert_true(pel_light_bound(frame, note, own, &corners, &bounds));
+    assert_true(pel_light_bound(frame, note, own, &bounds));
     return bounds;
 }
 
