@@ -1,5 +1,6 @@
-/* What every screen is made of, in every format: a clear, a rectangle, lines,
- * alpha over one color and over noise, and a line of small text. */
+/* What every screen is made of, in every format (those that differ by the order
+ * of their channels alone once): a clear, a rectangle, lines, alpha over one
+ * color and over noise, and a line of small text. */
 #include <stdio.h>
 
 #include "bench/mcu/report.h"
@@ -126,9 +127,13 @@ void fills_report(void)
                    {"rgb565_be", &pel_rgb565_be},
                    {"rgb888", &pel_rgb888},
                    {"xrgb8888", &pel_xrgb8888},
+                   {"rgbx8888", &pel_rgbx8888},
+                   {"argb8888", &pel_argb8888},
+                   {"xrgb1555_le", &pel_xrgb1555_le},
                    {"rgb332", &pel_rgb332},
                    {"gray8", &pel_gray8},
                    {"gray4", &pel_gray4},
+                   {"inks2", &pel_inks2},
                    {"mono1", &pel_mono1},
                    {"mono1_pages", &pel_mono1_pages}};
     const struct pel_rect bounds = {0, 0, WIDTH, HEIGHT};

@@ -94,14 +94,14 @@ static void put_packed(const struct pixels *l, const struct pel_surface *s,
     const int bits = s->format->bits;
     const int32_t side = p->x1 < p->x0 ? -1 : 1;
     const int32_t x = p->x0 - s->bounds.x0, y = p->y0 - s->bounds.y0;
-    struct bits b = {s->pixels, 1u << (y & 7), l->pixel ? 0xFF : 0, 1, true,
+    struct bits b = {s->pixels, 1u << (y & 7), l->pixel * 0xFF, 1, true,
                      s->stride, side};
     if (pages) {
         b.byte += (y >> 3) * (ptrdiff_t)s->stride + x;
     } else {
         b.byte += y * (ptrdiff_t)s->stride + (x * bits >> 3);
         b.mask = (0xFF00u >> bits & 0xFF) >> (x * bits & 7);
-        b.pixels = bits == 4 ? l->pixel * 0x11 : b.pixels;
+        b.pixels = l->pixel * (bits == 4 ? 0x11 : bits == 2 ? 0x55 : 0xFF);
         b.up = side < 0;
         b.turn = b.up ? bits : 8 - bits;
         b.carry = side;
@@ -119,7 +119,7 @@ static bool put_pixels(const struct pel_surface *s, const struct pel_rect *p,
     const int32_t left = pel_min(p->x0, p->x1), right = pel_max(p->x0, p->x1);
     const int32_t dx = right - left, dy = p->y1 - p->y0;
     if (dx >= 8 * dy || paint->fill != pel_flat_fill ||
-        f->id > PEL_FORMAT_MONO1_PAGES || left < clip->x0 ||
+        f->id > PEL_FORMAT_INKS2 || !f->fill || left < clip->x0 ||
         right >= clip->x1 || p->y0 < clip->y0 || p->y1 >= clip->y1)
         return false;
     const pel_color color = ((const struct pel_flat *)paint)->color;

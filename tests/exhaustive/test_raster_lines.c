@@ -1,6 +1,8 @@
 /* All lines of a small lattice of pixels that straddles zero, against exact
  * fractions at every pixel; the same through every clip of a smaller one.
  */
+#include <string.h>
+
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
 #include "tests/support/hits.h"
@@ -84,6 +86,28 @@ TEST(all_flat_lines)
                 pel_line(&canvas.surface, v[0], v[1], &flat.paint);
                 canvas_check_drawn(&canvas, &line, canvas_flat, &flat);
             }
+}
+
+/* Opaque pixels are the same in both, as pel_xrgb8888 sets what it does not
+ * use. */
+TEST(lines_of_argb8888)
+{
+    static uint32_t pixels[2][16 * 16];
+    static const struct pel_format *const formats[2] = {&pel_xrgb8888,
+                                                        &pel_argb8888};
+    const struct pel_flat flat = PEL_FLAT(0xFF9ABCDE);
+    const struct pel_rect b = {0, 0, 16, 16};
+    for (int32_t i = 0; i < 256; i++) {
+        memset(pixels, 0, sizeof pixels);
+        for (int f = 0; f < 2; f++) {
+            struct pel_surface s;
+            pel_surface_init(&s, formats[f], pixels[f], sizeof *pixels, &b);
+            pel_line(&s, (struct pel_point)PEL_AT(i % 16, i / 16),
+                     (struct pel_point)PEL_AT(7, 9), &flat.paint);
+        }
+        assert_int_equal(pixels[1][9 * 16 + 7], 0xFF9ABCDE);
+        assert_memory_equal(pixels[0], pixels[1], sizeof *pixels);
+    }
 }
 
 TEST(all_clips)
