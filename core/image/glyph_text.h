@@ -55,6 +55,14 @@ static inline void pel_text(const struct pel_surface *surface,
     pel_text_until(surface, text, NULL, paint);
 }
 
+/* The same with a square of scale x scale px for each pixel, 1 to 1,024, of a
+ * font of one bit, and so are those that come after it: smooth ones are
+ * imported at the size that is wanted. Its size is that of pel_text_measure
+ * times scale. */
+void pel_text_scaled(const struct pel_surface *surface,
+                     const struct pel_text_block *text, int32_t scale,
+                     const struct pel_paint *paint);
+
 /* The size of all boxes: the widest line, and all lines, of which a string has
  * one more than line feeds. For strings up to 2^22 bytes. */
 struct pel_text_size pel_text_measure(const struct pel_font_asset *font,

@@ -1,13 +1,10 @@
 #!/bin/sh
-# guide.sh FILE COMPILER ARGUMENT... : the program of docs/firmware.md, written to
-# FILE, compiles and links with these arguments.
+# guide.sh FOLDER COMPILER ARGUMENT... : the program of docs/firmware.md, written
+# into FOLDER, compiles and links with these arguments.
 set -eu
-file=$1
+folder=$1
 compiler=$2
 shift 2
-mkdir -p "$(dirname "$file")"
-awk 'index($0, "`main.c`:") { on = 1; next }
-    on && /^[^ ]/ && code { exit }
-    on && (/^    / || /^$/) { sub(/^    /, ""); code = code || NF; print }' \
-    docs/firmware.md >"$file"
-"$compiler" "$file" "$@"
+mkdir -p "$folder"
+awk -v folder="$folder" -f tests/tools/doc_blocks.awk docs/firmware.md >/dev/null
+"$compiler" "$folder/firmware.c" "$@"

@@ -146,7 +146,7 @@ define link_guide
 $(BUILD)/link/guide/$1.elf: port/spi_dma/$1.c port/spi_dma/spi_dma.inc \
     docs/firmware.md tests/link/guide.sh $(BUILD)/mcu/$2/libdrivers.a \
     $(BUILD)/mcu/$2/libpel.a
-	tests/link/guide.sh $$(@D)/$1/main.c $$(MCU_COMPILE_$2) $$(MCU_LDFLAGS) \
+	tests/link/guide.sh $$(@D)/$1 $$(MCU_COMPILE_$2) $$(MCU_LDFLAGS) \
 	    -Wl,-e,main -Wl,--require-defined=$(LINK_VECTOR_$1) $$(filter %.c %.a,$$^) -o $$@
 endef
 $(foreach c,$(LINK_GUIDES),$(eval $(call link_guide,$c,$(LINK_CPU_$c)-Os)))

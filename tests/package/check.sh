@@ -35,7 +35,8 @@ draws() {
 
 $CC $INCLUDE "$here/main.c" "$LIBPEL" -o "$work/main"
 "$work/main" >"$work/picture" && [ -s "$work/picture" ] || fail "no picture"
-awk -f "$here/kiosk_guide.awk" docs/linux.md >"$work/kiosk.c"
+awk -v folder="$work" -f tests/tools/doc_blocks.awk docs/linux.md >/dev/null
+mv "$work/hello.c" "$work/kiosk.c"
 
 # make install, into folders with a blank; a relative PREFIX begins in this one
 make -s BUILD="$1" DESTDIR="$work/a root" PREFIX=/opt/pel install &&

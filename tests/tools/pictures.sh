@@ -42,12 +42,20 @@ while read -r name command; do
     settle "$name"
 done <"$folder/list"
 
-awk -v folder="$folder" -f tests/tools/doc_pictures.awk README.md docs/guide.md \
+# What the guide has imported, by its own commands.
+sed -n "s,^    build/pel \(import .* -o \)\([a-z0-9_]*\.c\)\$,$build/pel \1$folder/\2,p" \
+    docs/guide.md | sh -e >/dev/null
+for file in "$folder"/*.c; do
+    $compiler -std=c99 -Iinclude -c "$file" -o "${file%.c}.o"
+done
+
+awk -v folder="$folder" -f tests/tools/doc_blocks.awk README.md docs/guide.md \
     docs/coming-from.md >"$folder/blocks"
-while read -r name; do
+while read -r kind name; do
+    [ "$kind" = picture ] || continue
     $compiler -std=c99 -Wall -Wextra -Wpedantic -Werror -O1 -I. \
-        -Iinclude -I"$build/examples" "$folder/$name.c" \
-        "$build/examples/fixed_10x20.c" "$build/libpel.a" -o "$folder/$name"
+        -Iinclude -I"$folder" "$folder/$name.c" "$folder"/*.o \
+        "$build/libpel.a" -o "$folder/$name"
     "$folder/$name" >"$folder/$name.ppm"
     settle "$name"
 done <"$folder/blocks"
@@ -58,4 +66,6 @@ for kept in docs/pictures/*.png; do
     [ -f "$folder/$name.ppm" ] || { echo "nothing draws $kept"; status=1; }
     [ "$(wc -c <"$kept")" -le 40960 ] || { echo "over 40 KiB: $kept"; status=1; }
 done
+[ "$(cat docs/pictures/*.png | wc -c)" -le 614400 ] ||
+    { echo "docs/pictures: over 600 KiB"; status=1; }
 exit $status

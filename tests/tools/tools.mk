@@ -2,7 +2,7 @@
 # of its own, and each one test of `make check`.
 
 CHECK_EXTRA += layers metrics size bench-mcu check-cpus check-mcu check-builds check-examples \
-    products check-make check-index reference
+    products check-make check-index check-pictures reference
 
 .PHONY: layers metrics check-make need-clang need-format
 
@@ -61,11 +61,18 @@ reference: ## the headers as HTML, by doxygen: build/reference
 # The pictures of docs, of programs and of the C blocks of the pages.
 PICTURE_PROGRAMS = $(patsubst %,$(BUILD)/examples/%,$(PRODUCTS) kiosk mesh)
 .PHONY: pictures check-pictures
-pictures check-pictures: $(BUILD)/examples/fixed_10x20.c $(BUILD)/pel $(BUILD)/libpel.a $(PICTURE_PROGRAMS)
+pictures check-pictures: $(BUILD)/pel $(BUILD)/libpel.a $(PICTURE_PROGRAMS)
 pictures: ## write docs/pictures anew, those that differ
 	tests/tools/pictures.sh $(BUILD) "$(CC)" accept
 check-pictures: ## compile the pages' C, compare every picture of docs
 	tests/tools/pictures.sh $(BUILD) "$(CC)"
+
+# The rest of the pages' C.
+CHECK_EXTRA += $(SDL_FOUND:%=check-blocks)
+.PHONY: check-blocks
+check-blocks: $(BUILD)/libpel.a $(BUILD)/libpel_linux.a $(SDL_LIBRARY) ## compile and run the pages' C that draws no picture
+	tests/tools/doc_blocks.sh $(BUILD) "$(CC)" $(BUILD)/libpel_linux.a $(SDL_LIBRARY) \
+	    $(BUILD)/libpel.a $$(cat $(BUILD)/libpel_linux.libs) $(SDL_LIBS)
 
 # Tests run side by side, each in a make of its own, so that what several of them
 # need is built before.

@@ -232,6 +232,8 @@ TEST(places)
         if (k < 8) {
             pel_text(&hits.surface, &text, &hits.paint);
             expect_broken("text", at[k / 4]);
+            pel_text_scaled(&hits.surface, &text, 2, &hits.paint);
+            expect_broken("scaled text", at[k / 4]);
         }
         if (k < 12) {
             const struct pel_text_column column = {

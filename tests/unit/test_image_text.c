@@ -1,6 +1,7 @@
 /* Text: UTF-8, glyphs of code points, places and sizes, drawn pictures. */
 #include <string.h>
 
+#include "core/image/smooth_glyph.h"
 #include "core/image/text_column.h"
 #include "tests/support/check.h"
 #include "tests/support/hits.h"
@@ -213,6 +214,66 @@ TEST(pictures)
         "................", "..#.............", "................",
         "................", "................"};
     check_picture("a aX\nb", lines);
+}
+
+/* Every pixel is a square, wherever the text begins and the clip cuts it; each
+ * pixel of it is painted once. */
+TEST(scaled)
+{
+    static struct hits small;
+    const struct pel_rect window = {-20, -20, 60, 60}, cut = {-7, -3, 41, 38};
+    const struct pel_text_block text = {&font,
+                                        "ab c\n\xE2\x82\xAC"
+                                        "a",
+                                        0, 0};
+    hits_open(&small, &window);
+    pel_text(&small.surface, &text, &small.paint);
+    for (int32_t scale = 1; scale < 9; scale++)
+        for (int32_t i = 0; i < 81; i++) {
+            const struct pel_text_block large = {
+                &font, text.string, i % 9 * 3 - 15, i / 9 * 4 - 21};
+            hits_open(&hits, &window);
+            hits.surface.clip = cut;
+            pel_text_scaled(&hits.surface, &large, scale, &hits.paint);
+            for (int32_t y = cut.y0; y < cut.y1; y++)
+                for (int32_t x = cut.x0; x < cut.x1; x++) {
+                    const int32_t u = x - large.x, v = y - large.y;
+                    const bool inside =
+                        u / scale < window.x1 && v / scale < window.y1;
+                    const int expected =
+                        u >= 0 && v >= 0 && inside
+                            ? hits_at(&small, u / scale, v / scale)
+                            : u < 0 && u >= -scale && v >= 0 &&
+                                  hits_at(&small, -1, v / scale);
+                    if (hits_at(&hits, x, y) != expected)
+                        fail_msg("scale %d, place %d: %d, %d", scale, i, x, y);
+                }
+        }
+}
+
+/* Neither a smooth font in the chain nor another scale, nor a place too far. */
+TEST(scaled_not)
+{
+    static const struct {
+        int32_t x, y, scale;
+        bool is_smooth;
+        uint64_t pixels;
+    } row[] = {{1, 1, 0, false, 0},
+               {1, 1, 1025, false, 0},
+               {1, 1, 2, true, 0},
+               {65537, 1, 2, false, 0},
+               {-65536, 65536, 1024, false, 0},
+               {-900, -1924, 1024, false, 60 * 60}};
+    const struct pel_rect window = {0, 0, 60, 60};
+    struct pel_font_asset second = font, first = font;
+    second.kind = &pel_font_smooth;
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        const struct pel_text_block text = {&first, "a", row[i].x, row[i].y};
+        first.next = row[i].is_smooth ? &second : NULL;
+        hits_open(&hits, &window);
+        pel_text_scaled(&hits.surface, &text, row[i].scale, &hits.paint);
+        assert_int_equal(hits.pixels, row[i].pixels);
+    }
 }
 
 /* The lines of a column, each drawn where it is to stand. */

@@ -1,0 +1,58 @@
+#include "../raster/rectangle.h"
+#include "glyph_text.h"
+
+/* A paint of a surface whose pixels are squares of another one. */
+struct squares {
+    struct pel_paint paint;
+    const struct pel_surface *surface; /* the other one */
+    const struct pel_paint *inner;
+    int32_t x, y, scale; /* px of the other one: where (0, 0) is; a square */
+};
+
+static void squares_fill(const struct pel_paint *paint,
+                         const struct pel_spans *spans)
+{
+    const struct squares *s = (const void *)paint;
+    int32_t y = s->y + spans->y * s->scale;
+    for (int32_t i = 0; i < spans->n; i++, y += spans->step * s->scale) {
+        const struct pel_span *span = &spans->span[i];
+        const struct pel_rect box = {s->x + span->x0 * s->scale, y,
+                                     s->x + span->x1 * s->scale, y + s->scale};
+        pel_box(s->surface, &box, s->inner);
+    }
+}
+
+/* floor(a / scale) of a from -98,304 to 98,303. */
+static int32_t square_of(int32_t a, int32_t scale)
+{
+    return a / scale - (a % scale < 0);
+}
+
+static bool legal(const struct pel_text_block *text, int32_t scale)
+{
+    const struct pel_font_asset *font = text->font;
+    while (font && !font->kind)
+        font = font->next;
+    return !font && scale >= 1 && scale <= 1024 &&
+           pel_offset_legal(text->x, text->y);
+}
+
+void pel_text_scaled(const struct pel_surface *surface,
+                     const struct pel_text_block *text, int32_t scale,
+                     const struct pel_paint *paint)
+{
+    const bool is_legal = legal(text, scale);
+    PEL_ASSERT(is_legal);
+    if (!is_legal)
+        return;
+    const struct squares squares = {
+        {.fill = squares_fill}, surface, paint, text->x, text->y, scale};
+    const struct pel_rect *clip = &surface->clip;
+    const struct pel_rect all = {square_of(clip->x0 - text->x, scale),
+                                 square_of(clip->y0 - text->y, scale),
+                                 square_of(clip->x1 - 1 - text->x, scale) + 1,
+                                 square_of(clip->y1 - 1 - text->y, scale) + 1};
+    const struct pel_surface field = {.bounds = all, .clip = all};
+    const struct pel_text_block small = {text->font, text->string, 0, 0};
+    pel_text(&field, &small, &squares.paint);
+}
