@@ -57,7 +57,7 @@ void pel_cells_color(struct pel_cells *c)
 /* Goes on to the last of the cells of two mixed colors that look like the one
  * at c->place, but not beyond the end of the way. Returns how many it passed.
  * Formats drop the low bits of channels. Not for grey, which shows a sum. */
-static int32_t pass_mixed(struct pel_cells *c)
+static PEL_NOINLINE_32 int32_t pass_mixed(struct pel_cells *c)
 {
     const struct pel_gradient *g = c->gradient;
     const bool back = c->place >= g->cells, down = back == (c->way > 0);
