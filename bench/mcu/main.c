@@ -90,6 +90,7 @@ int main(void)
     hits_report();
     matrix_report();
     fills_report();
+    gradients_report();
     paths_report();
     smooth_report();
     return !shapes_report();

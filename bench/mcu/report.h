@@ -10,6 +10,7 @@
 void report(const char *name, int32_t parameter, int32_t time, uint32_t per);
 
 void fills_report(void);
+void gradients_report(void);
 void hits_report(void);
 void matrix_report(void);
 void paths_report(void);

@@ -117,13 +117,13 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
 
 /* A way along a row from pixel to pixel, over many rings: the largest whole
  * number below the distance, from 0 on, and by how much the square of the
- * distance is larger than its square, which grows by `change` to the next
- * pixel. The ring, below the period where it begins anew, and what is left of
- * the division that finds it. */
+ * distance is larger than its square, up to 2 root + 1. The ring, below the
+ * period where it begins anew, and what is left of the division that finds
+ * it. */
 struct way {
     const struct pel_radial *paint;
-    int64_t over, change;
-    int32_t root, rest;
+    int32_t u; /* of the pixel, from the centre */
+    int32_t over, root, rest;
     uint32_t ring;
 };
 
@@ -135,9 +135,8 @@ static PEL_NOINLINE_32 void way_start(void *way, int32_t x, int32_t y)
     const int64_t square = pel_radial_square(p, x, y);
     const int32_t root = root_of(square);
     w->root = root;
-    w->over = square - pel_square(root);
-    w->change =
-        pel_product(512, pel_pixel_center(x) - p->rings.center.x) + 65536;
+    w->over = (int32_t)(square - pel_square(root));
+    w->u = pel_pixel_center(x) - p->rings.center.x;
     const int64_t parts = pel_product(root + 1, p->base.cells) - 1;
     w->ring = pel_divide((uint64_t)parts, radius);
     w->rest = (int32_t)((uint32_t)parts - w->ring * radius);
@@ -146,21 +145,23 @@ static PEL_NOINLINE_32 void way_start(void *way, int32_t x, int32_t y)
         w->ring %= (uint32_t)p->base.period;
 }
 
-/* The root of the next pixel is larger by at most 256, or smaller. */
+/* The root of the next pixel. It is larger by about 256 u / root: that is at
+ * most 256 wrong near the centre, and 3 where roots are large, so what is over
+ * is below 2^29 and fits, modulo 2^32. */
 static PEL_NOINLINE_32 int32_t next_root(struct way *w)
 {
-    int32_t root = w->root < 256 ? 0 : w->root - 256;
-    int64_t over =
-        w->over + w->change + pel_product(w->root - root, w->root + root);
-    for (int32_t bit = 512; bit; bit >>= 1) {
-        const int64_t more = pel_product(2 * root + bit, bit);
-        if (more < over) {
-            over -= more;
-            root += bit;
-        }
-    }
-    w->change += 131072;
-    w->over = over;
+    const int32_t u = w->u, next = w->root + 1, far = next >> 22 ? 8 : 0;
+    int32_t rest, root = w->root;
+    root += pel_floor_divide(u * (256 >> far), next >> far, &rest);
+    root = pel_max(root, 0);
+    uint32_t over = (uint32_t)w->over + 512 * (uint32_t)u + 65536 +
+                    (uint32_t)(w->root - root) * (uint32_t)(w->root + root);
+    for (; (int32_t)over <= 0 && root > 0; root--)
+        over += 2 * (uint32_t)root - 1;
+    for (; (int32_t)over > 2 * root + 1; root++)
+        over -= 2 * (uint32_t)root + 1;
+    w->u = u + 256;
+    w->over = (int32_t)over;
     return root;
 }
 
