@@ -6,7 +6,7 @@
 #include "bench/mcu/stopwatch.h"
 #include "core/pel.h"
 
-enum { WIDTH = 200, HEIGHT = 8, CELLS = 32767 };
+enum { WIDTH = 200, HEIGHT = 8, CELLS = 4096 };
 
 static uint32_t memory[WIDTH * HEIGHT];
 static pel_color colors[CELLS];
@@ -50,7 +50,7 @@ void gradients_report(void)
     } formats[] = {{"rgb565_le", &pel_rgb565_le}, {"xrgb8888", &pel_xrgb8888}};
     const struct pel_rect bounds = {0, 0, WIDTH, HEIGHT};
     for (int i = 0; i < CELLS; i++)
-        colors[i] = PEL_RGB(i & 1 ? 255 : 0, i >> 7, 90);
+        colors[i] = PEL_RGB(i & 1 ? 255 : 0, i >> 4, 90);
     for (unsigned i = 0; i < sizeof formats / sizeof *formats; i++) {
         pel_surface_init(&surface, formats[i].format, memory, sizeof memory,
                          &bounds);
