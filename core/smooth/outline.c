@@ -112,8 +112,7 @@ void pel_smooth_line_set(struct pel_smooth_line *l, struct pel_point base,
     l->left = to.y < from.y;
     l->top = l->left ? to : from;
     l->bottom = l->left ? from : to;
-    l->step = down.y ? pel_smooth_step(&zero, &down) : 0;
-    l->rise = pel_smooth_rise(&zero, &down);
+    l->step = pel_smooth_slope(&zero, &down, &l->rise);
 }
 
 /* x at a height in the line: the product is below 2^63, since the line's ends

@@ -105,31 +105,25 @@ static PEL_NOINLINE_32 bool begin(struct pel_smooth_walk *k)
     return true;
 }
 
-/* A batch of whole rows, or the first part of a row that is not. */
-static void begin_batch(struct pel_smooth_walk *k)
-{
-    const int32_t n = pel_min(k->whole - k->y, k->rows);
-    if (!PEL_SMALL_CODE && n > 0) {
-        pel_smooth_cross(k, n);
-        return;
-    }
-    pel_smooth_pass_row(k);
-    if (!PEL_SMALL_CODE)
-        look_down(k);
-    pel_smooth_rest_of_row(k);
-}
-
-/* The next batch; false at the end. */
+/* The next batch, of whole rows, or a part of a row that is not; false at the
+ * end. */
 static PEL_NOINLINE_32 bool next_batch(struct pel_smooth_walk *k)
 {
-    if (k->rest.x0 < k->rest.x1) {
-        pel_smooth_rest_of_row(k);
-        return true;
+    while (k->rest.x0 >= k->rest.x1) {
+        if (k->y >= k->end)
+            return false;
+        next_edges(k);
+        const int32_t n =
+            PEL_SMALL_CODE ? 0 : pel_min(k->whole - k->y, k->rows);
+        if (n > 0) {
+            pel_smooth_cross(k, n);
+            return true;
+        }
+        pel_smooth_pass_row(k);
+        if (!PEL_SMALL_CODE)
+            look_down(k);
     }
-    if (k->y >= k->end)
-        return false;
-    next_edges(k);
-    begin_batch(k);
+    pel_smooth_rest_of_row(k);
     return true;
 }
 

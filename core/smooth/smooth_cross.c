@@ -60,25 +60,17 @@ static PEL_NOINLINE_32 uint8_t *cross_row(struct pel_smooth_side *s,
     return to + 1;
 }
 
-/* Adds what a side is in the row above to the area of a pixel, from which it
- * lies a batch's bytes away at most; sides of round lines may lie beyond the
- * range of coordinates. */
-static void add_side(const struct pel_smooth_side *s, uint32_t flip, int32_t x,
-                     uint32_t *area)
+/* What a side is in the row above, right of pixel x, from which it lies a
+ * batch's bytes away at most; sides of round lines may lie beyond the range of
+ * coordinates. */
+static PEL_NOINLINE_32 void set_piece(const struct pel_smooth_side *s,
+                                      int32_t x, struct pel_smooth_piece *p)
 {
     const int64_t at = s->at - x * (INT64_C(1) << 32);
-    struct pel_smooth_piece p = {0, 0, s->rise, 65536};
-    pel_smooth_piece_set(&p, (int32_t)((at - s->step) >> 16),
+    pel_smooth_piece_set(p, (int32_t)((at - s->step) >> 16),
                          (int32_t)(at >> 16));
-    pel_smooth_add(&p, flip, 0, 1, area);
-}
-
-static uint8_t coverage_at(const struct pel_smooth_walk *k, int32_t x)
-{
-    uint32_t area = PEL_SMOOTH_HALF;
-    add_side(&k->side[0], 0, x, &area);
-    add_side(&k->side[1], ~UINT32_C(0), x, &area);
-    return (uint8_t)(area >> 24);
+    p->rise = s->rise;
+    p->height = 65536;
 }
 
 /* Pixels that both sides cross in the last row of a batch, the last ones of the
@@ -88,10 +80,18 @@ static PEL_NOINLINE_32 uint8_t *merge(const struct pel_smooth_walk *k,
                                       struct pel_span *full, uint8_t *count,
                                       uint8_t *to)
 {
+    const int32_t left = full->x0 - count[0];
     const int32_t skip = pel_min(full->x0 - full->x1, count[1]);
-    for (int32_t x = full->x0 - count[0]; x < full->x0; x++, to++)
-        if (x >= full->x1)
-            *to = coverage_at(k, x);
+    struct pel_smooth_piece piece[2];
+    set_piece(&k->side[0], left, &piece[0]);
+    set_piece(&k->side[1], left, &piece[1]);
+    for (int32_t x = pel_max(full->x1 - left, 0); x < count[0]; x++) {
+        uint32_t area = PEL_SMOOTH_HALF;
+        pel_smooth_add(&piece[0], 0, x, 1, &area);
+        pel_smooth_add(&piece[1], ~UINT32_C(0), x, 1, &area);
+        to[x] = (uint8_t)(area >> 24);
+    }
+    to += count[0];
     count[1] = (uint8_t)(count[1] - skip);
     full->x1 = full->x0;
     for (int32_t n = count[1]; n > 0; n--, to++)

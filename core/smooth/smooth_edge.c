@@ -29,43 +29,30 @@ static PEL_NOINLINE_32 uint32_t fraction(uint32_t n, uint32_t d)
     return q;
 }
 
-/* 255 2^24 n / d, n < d. */
-static uint32_t flat_rise(int32_t n, int32_t d)
-{
-    const uint32_t f = fraction((uint32_t)n, (uint32_t)d);
-    return (f >> 8) * 255 + ((f & 255) * 255 >> 8);
-}
-
-/* 255 2^7 n / d, d < n < 2^14 d. */
-static uint32_t steep_rise(int32_t n, int32_t d)
-{
-    int32_t rest;
-    const int32_t whole = pel_floor_divide(n, d, &rest);
-    const uint32_t f = fraction((uint32_t)rest, (uint32_t)d);
-    return (uint32_t)whole * 32640 + ((f >> 16) * 32640 >> 16);
-}
-
-struct pel_rise pel_smooth_rise(const struct pel_point *a,
-                                const struct pel_point *b)
+/* The longer way of the two is `whole` times the shorter one and a part. */
+int64_t pel_smooth_slope(const struct pel_point *a, const struct pel_point *b,
+                         struct pel_rise *rise)
 {
     const int32_t dx = pel_magnitude(b->x - a->x), dy = b->y - a->y;
-    struct pel_rise rise = {PEL_SMOOTH_FULL, dx < dy};
-    if (dx > dy)
-        rise.value = flat_rise(dy, dx);
-    else if (dx <= dy >> 14)
-        rise.value = 16384 * 32640;
+    const int32_t low = pel_min(dx, dy), high = pel_max(dx, dy);
+    int32_t whole = 0, rest = 0;
+    uint32_t part = 0, inverse = 0;
+    if (low > 0) {
+        whole = pel_floor_divide(high, low, &rest);
+        part = fraction((uint32_t)rest, (uint32_t)low);
+    }
+    if (low < high)
+        inverse = fraction((uint32_t)low, (uint32_t)high);
+    rise->steep = dx < dy;
+    if (dx <= dy >> 14)
+        rise->value = 16384 * 32640;
     else if (dx < dy)
-        rise.value = steep_rise(dy, dx);
-    return rise;
-}
-
-int64_t pel_smooth_step(const struct pel_point *a, const struct pel_point *b)
-{
-    const int32_t dx = pel_magnitude(b->x - a->x), dy = b->y - a->y;
-    int32_t rest;
-    const int64_t whole = pel_floor_divide(dx, dy, &rest);
-    const int64_t step =
-        whole * (INT64_C(1) << 32) + fraction((uint32_t)rest, (uint32_t)dy);
+        rise->value = (uint32_t)whole * 32640 + ((part >> 16) * 32640 >> 16);
+    else if (dx == dy)
+        rise->value = PEL_SMOOTH_FULL;
+    else
+        rise->value = (inverse >> 8) * 255 + ((inverse & 255) * 255 >> 8);
+    const int64_t step = dx < dy ? inverse : whole * (INT64_C(1) << 32) + part;
     return b->x < a->x ? -step : step;
 }
 
@@ -88,12 +75,9 @@ static inline uint32_t area_in(const struct pel_smooth_piece *p, int32_t x)
 void pel_smooth_add(const struct pel_smooth_piece *p, uint32_t flip, int32_t x,
                     int32_t n, uint32_t *area)
 {
-    for (; n > 0; n--, x++, area++) {
-        uint32_t v = p->height * (255 << 8);
-        if (x < p->lo >> 16)
-            continue;
-        if (x <= p->hi >> 16)
-            v = area_in(p, x);
-        *area += (v ^ flip) - flip;
+    const uint32_t full = p->height * (255 << 8);
+    for (int32_t i = pel_max(0, (p->lo >> 16) - x); i < n; i++) {
+        const uint32_t v = x + i <= p->hi >> 16 ? area_in(p, x + i) : full;
+        area[i] += (v ^ flip) - flip;
     }
 }

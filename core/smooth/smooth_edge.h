@@ -39,18 +39,16 @@ struct pel_rise {
     bool steep;
 };
 
-/* Of the edge from a down to b. */
-struct pel_rise pel_smooth_rise(const struct pel_point *a,
-                                const struct pel_point *b);
-
 /* x of a coordinate, px 2^-32. */
 static inline int64_t pel_smooth_wide(int32_t x)
 {
     return (int64_t)x * (1 << 24);
 }
 
-/* What the edge from a down to b moves in a row, px 2^-32. */
-int64_t pel_smooth_step(const struct pel_point *a, const struct pel_point *b);
+/* What the edge from a down to b moves in a row, px 2^-32, and its rise: 0 and
+ * that of an edge of no height. */
+int64_t pel_smooth_slope(const struct pel_point *a, const struct pel_point *b,
+                         struct pel_rise *rise);
 
 /* 255 c(u); u in 2^-16 px. */
 static inline uint32_t pel_smooth_corner(const struct pel_rise *rise,

@@ -38,9 +38,8 @@ static void add_edge(struct pel_smooth_sweep *w, const struct pel_point *a,
 {
     struct pel_smooth_edge *const e = &w->edge[w->count];
     const int32_t row = pel_max(pel_pixel_of(a->y), w->y0);
-    e->step = pel_smooth_step(a, b);
+    e->step = pel_smooth_slope(a, b, &e->rise);
     e->at = x_in(a, e->step, PEL_PX(row) - a->y);
-    e->rise = pel_smooth_rise(a, b);
     e->top = a->y;
     e->bottom = b->y;
     e->winding = winding;

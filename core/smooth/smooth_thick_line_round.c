@@ -10,7 +10,8 @@
  * rows of arcs round other sums. */
 enum { NARROW = 6 };
 
-typedef char pel_smooth_narrow_fits[NARROW <= PEL_SMOOTH_WIDE - 2 ? 1 : -1];
+typedef char
+    pel_smooth_narrow_fits[NARROW <= PEL_SMOOTH_BATCH_BYTES / 2 - 2 ? 1 : -1];
 
 struct capsule {
     struct pel_point end[2], d; /* upper, lower; from one to the other */
@@ -227,8 +228,7 @@ static PEL_NOINLINE void set_capsule(struct capsule *c,
     set_ends(c, line);
     c->radius = line->width >> 1;
     c->across = place_across(c->d, c->radius);
-    c->rise = pel_smooth_rise(&c->end[0], &c->end[1]);
-    c->step = c->d.y ? pel_smooth_step(&c->end[0], &c->end[1]) : 0;
+    c->step = pel_smooth_slope(&c->end[0], &c->end[1], &c->rise);
     find_body(c);
 }
 

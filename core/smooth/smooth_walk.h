@@ -5,8 +5,8 @@
 #include "smooth.h"
 #include "smooth_edge.h"
 
-/* A side crosses so many pixels in a row that is walked as a whole. */
-enum { PEL_SMOOTH_WIDE = PEL_SMOOTH_BATCH_BYTES / 2 };
+/* Pixels of a row whose areas are summed at a time. */
+enum { PEL_SMOOTH_SUMS = PEL_64BIT ? 32 : 6 };
 
 /* An edge, by its vertices; the same: the chain has ended. */
 struct pel_smooth_vertices {
@@ -24,16 +24,17 @@ struct pel_smooth_side {
 struct pel_smooth_above {
     int32_t x; /* px 2^-16 */
     struct pel_rise rise;
-    struct pel_smooth_vertices edge;
+    int32_t from; /* where its edge begins */
 };
 
 /* Of two the first is the left side. */
 struct pel_smooth_walk {
     struct pel_smooth smooth;
     const struct pel_point *v;
-    int32_t n, turn; /* turn: 1 or -1, to the next vertex of the right side */
-    int32_t y, end;  /* rows to come */
+    int32_t n;
+    int32_t y, end;       /* rows to come */
     struct pel_span rest; /* columns of the row above them that are left */
+    int8_t turn;          /* 1 or -1, to the next vertex of the right side */
     bool inside;          /* no column is clipped away */
     uint8_t rows;         /* that a batch has room for, .. */
     int32_t whole; /* .. above this one, of those that edges cross as a whole */
@@ -46,6 +47,7 @@ struct pel_smooth_walk {
             uint8_t coverage[PEL_SMOOTH_BATCH_BYTES];
             struct pel_span full; /* up to here a batch of one row */
             struct pel_smooth_above above[2];
+            uint32_t area[PEL_SMOOTH_SUMS];
         } row;
     } of;
 };
@@ -69,8 +71,9 @@ void pel_smooth_cross(struct pel_smooth_walk *k, int32_t n);
 /* Paints any number of them. */
 void pel_smooth_cross_rows(struct pel_smooth_walk *k, int32_t y, int32_t n);
 
-/* Moves on by a row that vertices lie in or a side crosses in many pixels, and
- * makes a batch of what is left of it, bit by bit. */
+/* Moves on by a row that vertices lie in or a side crosses in many pixels. Of
+ * what is left of it, if it is something, the other one makes a batch, bit by
+ * bit. */
 void pel_smooth_pass_row(struct pel_smooth_walk *k);
 void pel_smooth_rest_of_row(struct pel_smooth_walk *k);
 
