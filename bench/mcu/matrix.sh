@@ -184,11 +184,69 @@ END
     }' "$counts"
 }
 
+smooth() {
+    cat <<'END'
+
+## Smooth edges
+
+Thousand instructions of a whole shape, gcc -O2 / -Os / small (bench/mcu/smooth.c):
+opaque, with alpha, in a sloped gradient and in a nearest texture. A triangle of 64
+px, a needle of 100, a line of 2 px and 110 px with round ends, a star of five sides
+that cross, discs of radius 50 around any centre and around the corner of a pixel, a
+ring of 4 px, an arc of 12 px and radius 100 with round ends, a rounded rectangle
+of 100 x 60.
+END
+    awk -F '\t' '
+    function cell(f, k,    at) {
+        at = cpu[c] SUBSEP shape[i] SUBSEP kind[k] (f > 1 ? "-" format[f] : "")
+        return sprintf(" %.0f / %.0f / %.0f |", o2[at] / 1000, os[at] / 1000,
+            small[at] / 1000)
+    }
+    BEGIN {
+        split("rgb565 xrgb8888 gray4", format, " ")
+        split("flat alpha linear texture", kind, " ")
+    }
+    $2 !~ /^smooth-.*-(flat|alpha|linear|texture)(-xrgb8888|-gray4)?$/ { next }
+    {
+        name = substr($2, 8)
+        at = index(name, "-")
+        key = substr(name, 1, at - 1) " " $3
+        if (!($1 in seen)) { seen[$1]; cpu[++cpus] = $1 }
+        if (name ~ /texture$/ && !(key in known)) { known[key]; shape[++n] = key }
+        key = $1 SUBSEP key SUBSEP substr(name, at + 1)
+        o2[key] = $5
+        os[key] = $6
+        small[key] = $7
+    }
+    END {
+        for (c = 1; c <= cpus; c++) {
+            if (cpu[c] !~ /^(cortex-m0plus|cortex-m4|rv32imc|cortex-a53)$/)
+                continue
+            line = "| " cpu[c] " |"
+            rule = "|---|"
+            for (f = 1; f <= 3; f++)
+                for (k = 1; k <= 4; k++) {
+                    line = line " " format[f] " " kind[k] " |"
+                    rule = rule "---:|"
+                }
+            print "\n" line "\n" rule
+            for (i = 1; i <= n; i++) {
+                line = "| " shape[i] " |"
+                for (f = 1; f <= 3; f++)
+                    for (k = 1; k <= 4; k++)
+                        line = line cell(f, k)
+                print line
+            }
+        }
+    }' "$counts"
+}
+
 page() {
     intro
     overview
     paints
     fills
+    smooth
 }
 
 [ -z "${1-}" ] || page >"$document"

@@ -1,5 +1,6 @@
-/* Shapes with smooth edges on RGB565, in one color, opaque and with alpha;
- * but in ring_window the clip has the whole shape. */
+/* Shapes with smooth edges: in one color, opaque and with alpha, in a gradient
+ * and in a texture, on three formats; but in ring_window the clip has the whole
+ * shape. */
 #include <stdio.h>
 
 #include "bench/mcu/report.h"
@@ -8,7 +9,7 @@
 
 enum { WIDTH = 216, HEIGHT = 216 };
 
-static uint16_t pixels[WIDTH * HEIGHT];
+static uint32_t pixels[WIDTH * HEIGHT];
 static struct pel_surface surface;
 
 /* The centre of round shapes, whole pixels or not. */
@@ -142,26 +143,27 @@ static const struct {
     const char *name;
     void (*draw)(const struct pel_paint *paint, int32_t parameter);
     int32_t parameter; /* px */
+    bool in_matrix;    /* with every paint and format */
 } cases[] = {
-    {"triangle", triangle, 16},
-    {"triangle", triangle, 64},
-    {"needle", needle, 100},
-    {"needle_turned", needle_turned, 70},
-    {"line", line, 100},
-    {"line_round", line_round, 100},
-    {"star", star, 50},
-    {"rectangle", rectangle, 50},
-    {"circle", circle, 10},
-    {"circle", circle, 50},
-    {"circle_whole", circle_whole, 10},
-    {"circle_whole", circle_whole, 50},
-    {"ring", ring, 50},
-    {"ring_whole", ring_whole, 50},
-    {"ring_window", ring_window, 50},
-    {"arc_round", arc_round, 100},
-    {"sector", sector, 50},
-    {"ellipse", ellipse, 50},
-    {"rounded_rectangle", rounded_rectangle, 12},
+    {"triangle", triangle, 16, false},
+    {"triangle", triangle, 64, true},
+    {"needle", needle, 100, true},
+    {"needle_turned", needle_turned, 70, false},
+    {"line", line, 100, false},
+    {"line_round", line_round, 100, true},
+    {"star", star, 50, true},
+    {"rectangle", rectangle, 50, false},
+    {"circle", circle, 10, false},
+    {"circle", circle, 50, true},
+    {"circle_whole", circle_whole, 10, false},
+    {"circle_whole", circle_whole, 50, true},
+    {"ring", ring, 50, false},
+    {"ring_whole", ring_whole, 50, true},
+    {"ring_window", ring_window, 50, false},
+    {"arc_round", arc_round, 100, true},
+    {"sector", sector, 50, false},
+    {"ellipse", ellipse, 50, false},
+    {"rounded_rectangle", rounded_rectangle, 12, true},
 };
 
 static void case_report(int i, const char *kind, const struct pel_paint *paint)
@@ -174,14 +176,58 @@ static void case_report(int i, const char *kind, const struct pel_paint *paint)
            1);
 }
 
+/* From corner to corner, and a picture of its own size. */
+static struct pel_linear linear;
+static struct pel_texture texture;
+
+static void paints_init(const struct pel_format *format)
+{
+    static const pel_color ends[2] = {PEL_RGB(255, 200, 0), PEL_RGB(0, 60, 90)};
+    static const struct pel_texture_map map = PEL_TEXTURE_AT(0, 0);
+    static uint32_t picture[64 * 64];
+    static struct pel_surface source;
+    const struct pel_texels texels = {&source, NULL, 0, 0, true};
+    const struct pel_ramp ramp = {ends, 2, PEL_PAD};
+    for (uint32_t i = 0; i < 64 * 64; i++)
+        picture[i] = i * 2654435761u;
+    pel_surface_init(&source, format, picture, sizeof picture,
+                     &(struct pel_rect){0, 0, 64, 64});
+    pel_linear_init(&linear, (struct pel_point)PEL_AT(0, 0),
+                    (struct pel_point)PEL_AT(WIDTH, HEIGHT), &ramp);
+    pel_texture_init_nearest(&texture, &texels, &map);
+    texture.wrap_u = texture.wrap_v = PEL_WRAP_REPEAT;
+}
+
 void smooth_report(void)
 {
     static const struct pel_flat flat = PEL_FLAT(PEL_RGB(255, 128, 0));
     static const struct pel_flat alpha = PEL_FLAT(PEL_RGBA(255, 128, 0, 128));
+    static const struct {
+        const char *name;
+        const struct pel_format *format;
+    } formats[] = {{"", &pel_rgb565_le},
+                   {"-xrgb8888", &pel_xrgb8888},
+                   {"-gray4", &pel_gray4}};
+    static const struct {
+        const char *name;
+        const struct pel_paint *paint;
+    } paints[] = {{"flat", &flat.paint},
+                  {"alpha", &alpha.paint},
+                  {"linear", &linear.base.paint},
+                  {"texture", &texture.base.paint}};
     const struct pel_rect bounds = {0, 0, WIDTH, HEIGHT};
-    pel_surface_init(&surface, &pel_rgb565_le, pixels, sizeof pixels, &bounds);
-    for (int i = 0; i < (int)(sizeof cases / sizeof *cases); i++) {
-        case_report(i, "flat", &flat.paint);
-        case_report(i, "alpha", &alpha.paint);
+    char kind[24];
+    for (int f = 0; f < 3; f++) {
+        pel_surface_init(&surface, formats[f].format, pixels, sizeof pixels,
+                         &bounds);
+        paints_init(formats[f].format);
+        for (int i = 0; i < (int)(sizeof cases / sizeof *cases); i++)
+            for (int k = 0; k < 4; k++) {
+                if (!cases[i].in_matrix && (f > 0 || k > 1))
+                    continue;
+                snprintf(kind, sizeof kind, "%s%s", paints[k].name,
+                         formats[f].name);
+                case_report(i, kind, paints[k].paint);
+            }
     }
 }
