@@ -125,16 +125,38 @@ static void draw_needles(const struct job *job, const struct item *item, int n)
     }
 }
 
+static void set_gear(struct pel_point v[GEAR_SIDES], const struct job *job,
+                     struct pel_point center)
+{
+    for (int k = 0; k < GEAR_SIDES; k++) {
+        v[k].x = center.x + job->gear[k].x;
+        v[k].y = center.y + job->gear[k].y;
+    }
+}
+
+static void draw_hits(const struct job *job, const struct item *item, int n)
+{
+    struct pel_point v[GEAR_SIDES];
+    const struct pel_polygon_shape outline = {v, GEAR_SIDES, PEL_NON_ZERO};
+    for (; n > 0; n--, item++) {
+        const int32_t x0 = pel_pixel_of(item->v[0].x - job->radius);
+        const int32_t y0 = pel_pixel_of(item->v[0].y - job->radius);
+        set_gear(v, job, item->v[0]);
+        for (int32_t y = y0; y < y0 + HIT_SIDE * HIT_STEP; y += HIT_STEP)
+            for (int32_t x = x0; x < x0 + HIT_SIDE * HIT_STEP; x += HIT_STEP)
+                if (pel_hit_polygon(&outline, x, y))
+                    job->surface.format->put(&job->surface, x, y, 1,
+                                             item->color);
+    }
+}
+
 static void draw_gears(const struct job *job, const struct item *item, int n)
 {
     struct pel_point v[GEAR_SIDES];
     const struct pel_polygon_shape outline = {v, GEAR_SIDES, PEL_NON_ZERO};
     for (; n > 0; n--, item++) {
         const struct pel_flat flat = PEL_FLAT(item->color[0]);
-        for (int k = 0; k < GEAR_SIDES; k++) {
-            v[k].x = item->v[0].x + job->gear[k].x;
-            v[k].y = item->v[0].y + job->gear[k].y;
-        }
+        set_gear(v, job, item->v[0]);
         pel_smooth_polygon(&job->surface, &outline, &flat.paint, job->scratch,
                            job->scratch_size);
     }
@@ -206,7 +228,7 @@ static void (*draw_of(const struct workload *w))(const struct job *,
     case FORM_CIRCLE:
         return w->paint == PAINT_SMOOTH ? draw_smooth_circles : draw_circles;
     case FORM_GEAR:
-        return draw_gears;
+        return w->paint == PAINT_HITS ? draw_hits : draw_gears;
     case FORM_POLYGON:
         return draw_polygons;
     case FORM_LINE:

@@ -147,6 +147,18 @@ static void set_outline(struct job *job, const struct shape *s)
     }
 }
 
+/* The outline is sorted once for all pixels. */
+template <class Base>
+static void draw_hits(struct job *job, Base &base, const struct shape *s)
+{
+    const int x0 = s->x[0] - job->workload->size;
+    const int y0 = s->y[0] - job->workload->size;
+    for (int y = y0; y < y0 + HIT_SIDE * HIT_STEP; y += HIT_STEP)
+        for (int x = x0; x < x0 + HIT_SIDE * HIT_STEP; x += HIT_STEP)
+            if (job->rasterizer.hit_test(x, y))
+                base.copy_pixel(x, y, color_of(s->color[0]));
+}
+
 template <class Base>
 static void draw_shape(struct job *job, Base &base, const struct shape *s)
 {
@@ -160,6 +172,8 @@ static void draw_shape(struct job *job, Base &base, const struct shape *s)
     set_outline(job, s);
     if (w->form == FORM_SCREEN) {
         fill_screen(job, base, s);
+    } else if (w->paint == PAINT_HITS) {
+        draw_hits(job, base, s);
     } else if (w->paint == PAINT_SMOOTH) {
         agg::render_scanlines_aa_solid(job->rasterizer, job->levels, base,
                                        color_of(s->color[0]));

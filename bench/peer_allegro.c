@@ -199,7 +199,7 @@ static BITMAP *texture_of(const struct workload *w, int depth)
 static bool can_draw(const struct workload *w)
 {
     return w->form != FORM_ROUNDED && w->paint != PAINT_BILINEAR &&
-           w->paint != PAINT_SMOOTH &&
+           w->paint < PAINT_SMOOTH &&
            (w->form != FORM_SCREEN || w->paint == PAINT_FLAT);
 }
 

@@ -86,7 +86,7 @@ static void *open_job(const struct workload *w, const struct canvas *c)
 {
     if (w->paint == PAINT_GOURAUD || w->paint == PAINT_DITHERED ||
         w->paint == PAINT_FAN || w->paint == PAINT_KEYED ||
-        w->form == FORM_TEXT)
+        w->paint == PAINT_HITS || w->form == FORM_TEXT)
         return nullptr;
     const bool alpha = w->paint == PAINT_COPY_ALPHA;
     struct job *job = new struct job;

@@ -73,6 +73,8 @@ const struct workload workloads[] = {
     BOTH("smooth-circle-50", FORM_CIRCLE, PAINT_SMOOTH, 50, 1000),
     BOTH("smooth-needle", FORM_SLIVER, PAINT_SMOOTH, 100, 1000),
     BOTH("smooth-polygon-100", FORM_GEAR, PAINT_SMOOTH, 100, 400),
+    {"hits-100", FORM_GEAR, PAINT_HITS, BIG, HIT_SIDE / 2 * HIT_STEP, 0, 0, 200,
+     0},
     {0},
 };
 

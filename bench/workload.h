@@ -49,13 +49,16 @@ enum paint {
     PAINT_CONVERT,
     PAINT_KEYED,
     PAINT_COPY_ALPHA,
-    PAINT_SMOOTH /* flat, white, and smooth at the edges */
+    PAINT_SMOOTH, /* flat, white, and smooth at the edges */
+    PAINT_HITS    /* of HIT_SIDE^2 pixels those that a hit test finds inside */
 };
 
 /* Radius of the corners of FORM_ROUNDED, px. */
 enum { ROUNDED_RADIUS = 12 };
 
 enum { GEAR_SIDES = 100 };
+/* Pixels of a hit test, in a square grid over the shape's box. */
+enum { HIT_SIDE = 20, HIT_STEP = 10 };
 /* Base of the slivers: thin triangles, or smooth needles. */
 enum { SLIVER_BASE = 1, NEEDLE_BASE = 5 };
 
