@@ -20,5 +20,5 @@ process.stdout.write(read("page/page.html")
   .replace("@CSS@", () => read("page/page.css").trim())
   .replace("@DATA@", () => JSON.stringify(data))
   .replace("@JS@", () => '"use strict";\n' +
-    ["wasi", "script", "players", "methods", "page"]
+    ["wasi", "worker", "script", "players", "methods", "page"]
       .map((name) => read("page/" + name + ".js")).join("\n").trim()));

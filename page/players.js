@@ -38,10 +38,12 @@ class Player {
 }
 
 async function play(page, examples) {
+  const helper = new Helper(page);
   for (let i = 0; i < examples.length; i++) {
-    const frames = [];
-    const host = await new Host(page.files, (f) => frames.push(f)).start(page.module);
-    host.exports.page_play(i);
-    document.getElementById("players").append(new Player(examples[i], frames).figure);
+    const { done, error } = await helper.ask({ job: "play", i });
+    if (error)
+      throw new Error(examples[i] + ": " + error);
+    document.getElementById("players").append(new Player(examples[i], done).figure);
   }
+  helper.worker.terminate();
 }

@@ -1,14 +1,16 @@
 // A script beside its picture: typed, drawn, looked into.
 const BAND_ROWS = 16; // that are shown of a script without bands
+const LATE_MS = 200;  // after which it is said that a script is being drawn
 
 class Sheet {
   constructor(page) {
-    Object.assign(this, page); // module, files, of
+    this.files = page.files;
+    this.helper = new Helper(page);
     this.at = null;    // the pixel that is explained: [x, y]
     this.held = false;
     this.turn = 0;
     for (const name of ["source", "picture", "zoom", "bands", "heat", "format",
-      "scene", "lens", "gutter", "error", "explain"])
+      "scene", "lens", "gutter", "error", "explain", "drawing"])
       this[name] = document.getElementById(name);
     this.source.addEventListener("input", () => {
       this.scene.value = ""; // it is another script from now on
@@ -17,6 +19,8 @@ class Sheet {
     this.source.addEventListener("scroll", () => {
       this.gutter.scrollTop = this.source.scrollTop;
     });
+    document.getElementById("stop").addEventListener("click", () =>
+      this.helper.stop());
     for (const control of [this.format, this.heat, this.bands])
       control.addEventListener("change", () => this.draw());
     this.zoom.addEventListener("change", () => {
@@ -47,48 +51,43 @@ class Sheet {
     this.draw();
   }
 
-  // A host of its own for each drawing: whatever happens in it is forgotten.
+  // What is being drawn is stopped: it is an older script's.
   async draw() {
     const turn = ++this.turn;
-    const files = new Map(this.files);
-    files.set("script.pel", new TextEncoder().encode(this.source.value));
-    const host = await new Host(files).start(this.module);
+    this.helper.stop();
+    this.looks = false;
+    this.drawing.hidden = true;
+    this.number();
+    const late = setTimeout(() => { this.drawing.hidden = false; }, LATE_MS);
+    const answer = await this.helper.ask({ job: "draw", source: this.source.value,
+      format: Number(this.format.value), heat: this.heat.checked });
+    clearTimeout(late);
     if (turn !== this.turn)
       return;
-    try {
-      this.show(host);
-    } catch (e) {
-      this.error.textContent = "this is too much for a page: " + e.message;
-    }
-    this.number();
+    this.drawing.hidden = true;
+    this.show(answer || { error: "stopped: it took too long" });
+    await this.look();
     document.body.dataset.drawn = turn;
   }
 
-  show(host) {
-    const call = host.exports;
-    const bytes = call.page_read(Number(this.format.value)) &&
-      call.page_draw(this.heat.checked);
-    const text = host.taken(2).trim();
+  show({ done, error }) {
+    const text = done ? done.text : error;
     this.error.textContent = text.replace(/^pel: \/script\.pel:(\d+):/gm, "line $1:");
     this.wrong = Number((/script\.pel:(\d+):/.exec(text) || [])[1]);
-    if (!bytes) { // the last picture stays, and what was said of it goes
-      this.host = null;
+    if (!done || !done.bytes) { // the last picture stays, and what was said of it goes
       this.explain.textContent = "";
       this.error.textContent += "\n(the picture is that of the script before)";
       return;
     }
-    const width = call.page_width(), height = call.page_height();
+    const { width, height } = done;
     Object.assign(this.picture, { width, height });
-    this.host = host;
     this.size();
     const context = this.picture.getContext("2d", { willReadFrequently: true });
-    const data = new ImageData(width, height);
-    data.data.set(host.bytes(bytes, width * height * 4));
-    context.putImageData(data, 0, 0);
+    context.putImageData(new ImageData(new Uint8ClampedArray(done.bytes.buffer),
+      width, height), 0, 0);
     if (this.bands.checked)
-      this.tint(context, call.page_bands() || BAND_ROWS);
+      this.tint(context, done.bands || BAND_ROWS);
     this.at ??= [Math.floor(width * .385), Math.floor(height * .54)];
-    this.look();
   }
 
   tint(context, rows) {
@@ -106,21 +105,35 @@ class Sheet {
     this.picture.style.height = this.picture.height * this.zoom.value + "px";
   }
 
-  // At the pixel under the pointer, or at the one before.
-  look(event) {
+  // At the pixel under the pointer, or at the one before. One look at a time: the
+  // last place counts.
+  async look(event) {
     if (event)
       this.at = [event.offsetX, event.offsetY].map((v) =>
         Math.max(0, Math.floor(v / this.zoom.value)));
-    if (!this.host)
+    this.again = true;
+    if (this.looks || this.helper.answer)
       return;
-    const x = Math.min(this.at[0], this.picture.width - 1);
-    const y = Math.min(this.at[1], this.picture.height - 1);
-    const call = this.host.exports, side = call.page_lens_side();
-    const data = new ImageData(side, side);
-    data.data.set(this.host.bytes(call.page_lens(x, y), side * side * 4));
-    this.lens.getContext("2d").putImageData(data, 0, 0);
-    call.page_explain(x, y);
-    this.explain.textContent = this.host.taken(1);
+    const turn = this.turn;
+    this.looks = true;
+    while (this.again && this.at && turn === this.turn) {
+      this.again = false;
+      const x = Math.min(this.at[0], this.picture.width - 1);
+      const y = Math.min(this.at[1], this.picture.height - 1);
+      const answer = await this.helper.ask({ job: "look", x, y });
+      if (answer && answer.done && turn === this.turn)
+        this.tell(answer.done);
+    }
+    if (turn !== this.turn)
+      return;
+    this.looks = false;
+    this.number();
+  }
+
+  tell({ side, bytes, text }) {
+    this.lens.getContext("2d").putImageData(
+      new ImageData(new Uint8ClampedArray(bytes.buffer), side, side), 0, 0);
+    this.explain.textContent = text;
     this.number();
   }
 

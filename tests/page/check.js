@@ -58,6 +58,8 @@ async function does(work_of) {
   await work_of();
   await browser.until(`document.body.dataset.drawn > ${before}`);
 }
+// What the pointer asks for is told a little later.
+const settled = () => new Promise((done) => setTimeout(done, 500));
 const text_of = (id) => browser.value(`document.getElementById("${id}").textContent`);
 
 const script = `canvas 80 60 rgb565_le
@@ -91,12 +93,14 @@ async function check_editor() {
   const box = await browser.box("#picture");
   await browser.click(box.x + 4 * 31 + 2, box.y + 4 * 22 + 1);
   const words = execFileSync(pel, ["explain", own, "31", "22"]).toString();
+  await settled();
   check(await text_of("explain") === words, "another explanation than pel explain");
   check(await browser.value(
     "[...document.querySelectorAll('#gutter b')].map((b) => b.textContent.trim()).join()")
     === [...words.matchAll(/^line (\d+):/gm)].map((m) => m[1]).join(),
   "lines that have painted the pixel are not marked");
   await browser.mouse("mouseMoved", box.x + 9, box.y + 9);
+  await settled();
   check(await text_of("explain") === words, "a click does not hold the pixel");
   check(await browser.value(`(() => {
     const c = document.getElementById("lens");
@@ -130,6 +134,28 @@ async function check_editor() {
     check(/memory|too m/.test(await text_of("error")), "too large: " +
       await text_of("error"));
   }
+}
+
+// A script that takes minutes: the page goes on, it is stopped by a click, and by
+// what is typed next.
+async function check_stop() {
+  const own = path.join(work, "own.pel");
+  const slow = "canvas 4000 4000 xrgb8888\noption smooth on\n" +
+    "paint conic 2000 2000 0 0 #ff000080 1 #0000ff80\n" +
+    "circle 2000 2000 1990\n".repeat(200);
+  const drawing = "!document.getElementById('drawing').hidden";
+  const begun = Date.now();
+  await browser.type("#source", slow);
+  await browser.until(drawing);
+  await does(() => browser.value("document.getElementById('stop').click()"));
+  check(/^stopped/.test(await text_of("error")), "not stopped: " + await text_of("error"));
+  check(!await browser.value(drawing), "drawing goes on");
+  await browser.type("#source", slow);
+  await browser.until(drawing);
+  await does(() => browser.type("#source", script));
+  check(same(await shown(), drawn(own)), "another picture after a slow script");
+  check(await text_of("error") === "", "an error: " + await text_of("error"));
+  check(Date.now() - begun < 20000, "the page was held up");
 }
 
 async function check_scenes() {
@@ -169,6 +195,7 @@ async function main() {
   await browser.open("file://" + file);
   await browser.until("document.body && document.body.dataset.drawn");
   await check_editor();
+  await check_stop();
   await check_scenes();
   await check_rest();
   const server = createServer((request, answer) => {
