@@ -84,13 +84,16 @@
 #include "image/copy.h"
 #include "image/copy_runs.h"
 #include "image/glyph_text.h"
+#include "image/outline_text.h"
 #include "image/scroll.h"
 #include "image/smooth_glyph.h"
+#include "image/smooth_outline_text.h"
 #include "image/text_column.h"
 
 #include "asset/font_asset.h"
 #include "asset/image_asset.h"
 #include "asset/mesh_asset.h"
+#include "asset/outline_font_asset.h"
 #include "asset/runs_asset.h"
 
 #include "scene/certificate.h"

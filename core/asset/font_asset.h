@@ -36,6 +36,38 @@ struct pel_font_range {
     uint16_t count, glyph;
 };
 
+/* Are n ranges in order, of so many glyphs? */
+static inline bool pel_font_ranges_legal(const struct pel_font_range *range,
+                                         uint32_t n, uint32_t glyphs)
+{
+    uint32_t next = 0;
+    for (; n > 0; n--, range++) {
+        if (range->first < next || range->first > UINT32_C(0x10FFFF) ||
+            range->glyph + UINT32_C(0) + range->count > glyphs)
+            return false;
+        next = range->first + range->count;
+    }
+    return true;
+}
+
+/* The glyph of a code point by n such ranges, or PEL_FONT_NONE. */
+static inline uint32_t pel_font_ranges_find(const struct pel_font_range *range,
+                                            int32_t n, uint32_t code)
+{
+    int32_t low = 0;
+    while (low < n) {
+        const int32_t middle = (low + n) / 2;
+        const struct pel_font_range *const r = &range[middle];
+        if (code < r->first)
+            n = middle;
+        else if (code - r->first >= r->count)
+            low = middle + 1;
+        else
+            return r->glyph + (code - r->first);
+    }
+    return PEL_FONT_NONE;
+}
+
 /* Between two of the first 256 glyphs the pen moves by x px more. */
 struct pel_font_pair {
     uint8_t left, right; /* indices of glyphs */
@@ -107,21 +139,14 @@ static inline bool pel_font_glyph_fits(const struct pel_font_asset *font,
 static inline enum pel_status pel_font_asset_check(
     const struct pel_font_asset *font)
 {
-    uint32_t next = 0;
     if (!font || !font->range || !font->glyph || !font->bits ||
         (font->pairs > 0 && !font->pair))
         return PEL_ERROR_NULL;
     if (font->magic != PEL_FONT_MAGIC || font->version != PEL_FONT_VERSION)
         return PEL_ERROR_RANGE;
-    if (font->missing != PEL_FONT_NONE && font->missing >= font->glyphs)
+    if ((font->missing != PEL_FONT_NONE && font->missing >= font->glyphs) ||
+        !pel_font_ranges_legal(font->range, font->ranges, font->glyphs))
         return PEL_ERROR_SIZE;
-    for (uint32_t i = 0; i < font->ranges; i++) {
-        const struct pel_font_range *r = &font->range[i];
-        if (r->first < next || r->first > UINT32_C(0x10FFFF) ||
-            r->glyph + r->count > font->glyphs)
-            return PEL_ERROR_SIZE;
-        next = r->first + r->count;
-    }
     for (uint32_t i = 0; i < font->glyphs; i++)
         if (!pel_font_glyph_fits(font, &font->glyph[i]))
             return PEL_ERROR_SIZE;

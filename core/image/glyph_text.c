@@ -151,32 +151,15 @@ uint32_t pel_utf8_next(const char **text)
     return code;
 }
 
-static const struct pel_font_glyph *find(const struct pel_font_asset *font,
-                                         uint32_t code)
-{
-    int32_t low = 0, high = font->ranges;
-    while (low < high) {
-        int32_t middle = (low + high) / 2;
-        const struct pel_font_range *r = &font->range[middle];
-        if (code < r->first)
-            high = middle;
-        else if (code - r->first >= r->count)
-            low = middle + 1;
-        else
-            return &font->glyph[r->glyph + (code - r->first)];
-    }
-    return NULL;
-}
-
 const struct pel_font_glyph *pel_glyph_find(const struct pel_font_asset **font,
                                             uint32_t code)
 {
     const struct pel_font_asset *const first = *font;
     for (const struct pel_font_asset *f = first; f; f = f->next) {
-        const struct pel_font_glyph *const glyph = find(f, code);
+        const uint32_t glyph = pel_font_ranges_find(f->range, f->ranges, code);
         *font = f;
-        if (glyph)
-            return glyph;
+        if (glyph != PEL_FONT_NONE)
+            return &f->glyph[glyph];
     }
     *font = first;
     return first->missing == PEL_FONT_NONE ? NULL

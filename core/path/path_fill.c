@@ -1,12 +1,6 @@
 #include "pen.h"
 
-struct fill_pen {
-    struct pel_pen pen;
-    struct pel_sides *sides;
-    struct pel_point start, at;
-};
-
-static bool line_to(struct fill_pen *f, struct pel_point p)
+static bool line_to(struct pel_fill_pen *f, struct pel_point p)
 {
     const struct pel_point from = f->at;
     f->at = p;
@@ -17,17 +11,23 @@ static bool line_to(struct fill_pen *f, struct pel_point p)
 static enum pel_status draw(struct pel_pen *pen, enum pel_verb verb,
                             const struct pel_point *p)
 {
-    struct fill_pen *const f = (struct fill_pen *)(void *)pen;
+    struct pel_fill_pen *const f = (struct pel_fill_pen *)(void *)pen;
     const bool room = line_to(f, verb == PEL_LINE ? *p : f->start);
     if (verb == PEL_MOVE && p)
         f->start = f->at = *p;
     return room ? PEL_OK : PEL_ERROR_SCRATCH;
 }
 
+void pel_fill_pen_begin(struct pel_fill_pen *pen, struct pel_sides *sides)
+{
+    *pen = (struct pel_fill_pen){.pen = {draw, sides->top, sides->bottom},
+                                 .sides = sides};
+}
+
 enum pel_status pel_path_walk_fill(const void *shape, struct pel_sides *sides)
 {
-    struct fill_pen f = {.pen = {draw, sides->top, sides->bottom},
-                         .sides = sides};
+    struct pel_fill_pen f;
+    pel_fill_pen_begin(&f, sides);
     return pel_path_walk(shape, &f.pen);
 }
 

@@ -13,11 +13,10 @@
 
 struct walk {
     const struct pel_path_shape *shape;
-    struct pel_pen *pen;
     const uint8_t *verb;
     int32_t next, points; /* the next point; how many there are */
-    struct pel_point start, v[4];
-    bool begun, closed;
+    bool begun;
+    struct pel_curves curves;
 };
 
 static const uint8_t points_of[PEL_CLOSE + 1] = {1, 1, 2, 3, 0};
@@ -34,6 +33,14 @@ static bool transform(int32_t a, int32_t b, int32_t x, int32_t y, int32_t *to)
     return at >= PEL_COORDINATE_MIN && at <= PEL_COORDINATE_MAX;
 }
 
+bool pel_transform_point(const struct pel_transform *t, int32_t x, int32_t y,
+                         struct pel_point *to)
+{
+    *to = t->at;
+    return transform(t->xx, t->xy, x, y, &to->x) &&
+           transform(t->yx, t->yy, x, y, &to->y);
+}
+
 /* Sets *to to the next point; false: it is out of range. */
 static bool take_point(struct walk *w, struct pel_point *to)
 {
@@ -44,11 +51,7 @@ static bool take_point(struct walk *w, struct pel_point *to)
     const int32_t y =
         path->points16 ? path->points16[i + 1] : path->points32[i + 1];
     *to = (struct pel_point){x, y};
-    if (!t)
-        return pel_point_legal(*to);
-    *to = t->at;
-    return transform(t->xx, t->xy, x, y, &to->x) &&
-           transform(t->yx, t->yy, x, y, &to->y);
+    return t ? pel_transform_point(t, x, y, to) : pel_point_legal(*to);
 }
 
 /* Not less than the length of a vector, nor above 1.12 of it. */
@@ -96,17 +99,17 @@ static int32_t move_of(const struct factors *f, int32_t i, int k)
     return (int32_t)((int64_t)(all + ((UINT64_C(1) << 3 * k) >> 1)) >> 3 * k);
 }
 
-static bool is_seen(const struct walk *w, int n)
+static bool is_seen(const struct pel_curves *w, int n)
 {
     const struct pel_rect box = pel_points_box(w->v, n + 1);
     return box.y1 >= w->pen->top && box.y0 <= w->pen->bottom;
 }
 
-static enum pel_status draw_curve(struct walk *w, int n)
+static enum pel_status draw_curve(struct pel_curves *w, int n)
 {
     const struct factors x = factors_of(&w->v[0].x, n);
     const struct factors y = factors_of(&w->v[0].y, n);
-    const int32_t tolerance = w->shape->tolerance;
+    const int32_t tolerance = w->tolerance;
     const int k = parts_of(&x, &y, tolerance ? tolerance : 16);
     const int32_t end = 1 << k;
     const bool seen = is_seen(w, n);
@@ -122,7 +125,7 @@ static enum pel_status draw_curve(struct walk *w, int n)
 }
 
 /* A part that begins where the one before it was closed. */
-static enum pel_status begin_again(struct walk *w)
+static enum pel_status begin_again(struct pel_curves *w)
 {
     if (!w->closed)
         return PEL_OK;
@@ -130,10 +133,10 @@ static enum pel_status begin_again(struct walk *w)
     return w->pen->draw(w->pen, PEL_MOVE, &w->start);
 }
 
-static enum pel_status draw_verb(struct walk *w, enum pel_verb verb, int n)
+enum pel_status pel_curves_add(struct pel_curves *w, enum pel_verb verb)
 {
+    const int n = points_of[verb];
     enum pel_status status = PEL_OK;
-    w->begun = true;
     if (verb == PEL_MOVE)
         w->closed = false;
     else
@@ -156,9 +159,10 @@ static enum pel_status take_verb(struct walk *w)
         return PEL_ERROR_FORMAT;
     const int n = points_of[verb];
     for (int i = 1; i <= n; i++)
-        if (!take_point(w, &w->v[i]))
+        if (!take_point(w, &w->curves.v[i]))
             return PEL_ERROR_RANGE;
-    return draw_verb(w, (enum pel_verb)verb, n);
+    w->begun = true;
+    return pel_curves_add(&w->curves, (enum pel_verb)verb);
 }
 
 static enum pel_status check(const struct pel_path *path)
@@ -192,7 +196,8 @@ enum pel_status pel_path_walk(const struct pel_path_shape *shape,
 {
     const int32_t tolerance = shape->tolerance;
     enum pel_status status = check(shape->path);
-    struct walk w = {.shape = shape, .pen = pen};
+    struct walk w = {.shape = shape,
+                     .curves = {.pen = pen, .tolerance = tolerance}};
     if (status != PEL_OK)
         return status;
     if (tolerance && (tolerance < 4 || tolerance > 65535))

@@ -18,4 +18,29 @@ struct pel_pen {
 enum pel_status pel_path_walk(const struct pel_path_shape *shape,
                               struct pel_pen *pen);
 
+/* Curves on their way to a pen. */
+struct pel_curves {
+    struct pel_pen *pen;
+    int32_t tolerance;            /* as in struct pel_path_shape */
+    struct pel_point start, v[4]; /* where the part began; where the curve does,
+                                     and the points that its verb takes */
+    bool closed;
+};
+
+/* Draws what the verb does with the points from v[1] on, which are legal. */
+enum pel_status pel_curves_add(struct pel_curves *curves, enum pel_verb verb);
+
+/* Where a point lies; false: out of range. */
+bool pel_transform_point(const struct pel_transform *transform, int32_t x,
+                         int32_t y, struct pel_point *to);
+
+/* The pen of a fill, which makes sides of lines and closes parts. */
+struct pel_fill_pen {
+    struct pel_pen pen;
+    struct pel_sides *sides;
+    struct pel_point start, at;
+};
+
+void pel_fill_pen_begin(struct pel_fill_pen *pen, struct pel_sides *sides);
+
 #endif

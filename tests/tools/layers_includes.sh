@@ -28,7 +28,7 @@ find core drivers port examples -name '*.[ch]' -o -name '*.inc' | sort | xargs a
               " core/raster core/paint")
         allow("core/asset", "core core/base")
         allow("core/image", "core core/base core/asset core/format core/raster" \
-              " core/smooth")
+              " core/smooth core/path")
         allow("drivers", "port")
         allow("port", "drivers")
         allow("examples", "drivers port bench")
