@@ -7,6 +7,7 @@
 
 #include "core/image/glyph_text.h"
 #include "sim/font/asset.h"
+#include "sim/font/outline_asset.h"
 #include "sim/asset/report.h"
 #include "sim/asset/text.h"
 #include "sim/cli/arguments.h"
@@ -136,6 +137,16 @@ static void write_pairs(struct import_text *text,
     import_array_end(text);
 }
 
+static void write_ranges(struct import_text *text,
+                         const struct pel_font_range *range, uint32_t n)
+{
+    import_array_begin(text, "struct pel_font_range", "ranges", n, 1);
+    for (; n > 0; n--, range++)
+        import_item(text, "{%lu, %d, %d},", (unsigned long)range->first,
+                    range->count, range->glyph);
+    import_array_end(text);
+}
+
 static void write_asset(struct import_text *text,
                         const struct pel_font_asset *font)
 {
@@ -153,14 +164,7 @@ static void write_asset(struct import_text *text,
                     g->top, g->advance);
     }
     import_array_end(text);
-    import_array_begin(text, "struct pel_font_range", "ranges", font->ranges,
-                       1);
-    for (uint32_t i = 0; i < font->ranges; i++) {
-        const struct pel_font_range *r = &font->range[i];
-        import_item(text, "{%lu, %d, %d},", (unsigned long)r->first, r->count,
-                    r->glyph);
-    }
-    import_array_end(text);
+    write_ranges(text, font->range, font->ranges);
     if (font->pairs)
         write_pairs(text, font);
     if (next)
@@ -194,6 +198,81 @@ static bool write_file(const struct import_options *options,
     return import_text_commit(&text);
 }
 
+static void write_outlines(struct import_text *text,
+                           const struct pel_outline_font_asset *font)
+{
+    FILE *out = text->output.stream;
+    const char *name = text->options->name;
+    const struct import_array points = {"uint8_t", "points", font->size, 1,
+                                        font->points};
+    import_array(text, &points);
+    import_array_begin(text, "struct pel_outline_glyph", "glyphs", font->glyphs,
+                       1);
+    for (uint32_t i = 0; i < font->glyphs; i++)
+        import_item(text, "{%lu, %u, %u},",
+                    (unsigned long)font->glyph[i].offset, font->glyph[i].size,
+                    font->glyph[i].advance);
+    import_array_end(text);
+    write_ranges(text, font->range, font->ranges);
+    if (font->pairs)
+        import_array_begin(text, "struct pel_outline_pair", "pairs",
+                           font->pairs, 1);
+    for (uint32_t i = 0; i < font->pairs; i++)
+        import_item(text, "{%u, %u, %d},", font->pair[i].left,
+                    font->pair[i].right, font->pair[i].x);
+    if (font->pairs)
+        import_array_end(text);
+    import_struct_begin(text);
+    fprintf(out, "    PEL_OUTLINE_FONT_MAGIC,\n");
+    fprintf(out, "    PEL_OUTLINE_FONT_VERSION,\n");
+    fprintf(out, "    %u, /* units of an em */\n", font->em);
+    fprintf(out, "    %u, /* above the baseline */\n", font->ascent);
+    fprintf(out, "    %u, /* below it */\n", font->descent);
+    fprintf(out, "    %d,\n    %d,\n    %d,\n    %d,\n", font->left,
+            font->bottom, font->right, font->top);
+    fprintf(out, "    %u,\n    %u,\n    %u,\n", font->ranges, font->glyphs,
+            font->pairs);
+    fprintf(out, "    %u, /* glyph of what is missing */\n", font->missing);
+    fprintf(out, "    %lu,\n", (unsigned long)font->size);
+    fprintf(out, "    %s_ranges,\n    %s_glyphs,\n    %s_points,\n", name, name,
+            name);
+    fprintf(out, "    %s%s,\n};\n", font->pairs ? name : "NULL",
+            font->pairs ? "_pairs" : "");
+}
+
+static bool import_outlines(const struct import_options *options,
+                            struct font *font)
+{
+    struct pel_outline_font_asset asset;
+    struct import_text text;
+    bool done = outline_add_box(font) &&
+                outline_asset_make(&asset, font, options->source);
+    if (!done)
+        return false;
+    done = import_text_open(&text, options, "outline_font");
+    if (done) {
+        write_outlines(&text, &asset);
+        done = import_text_commit(&text);
+    }
+    if (done)
+        report_outlines(options, &asset);
+    outline_asset_free(&asset);
+    return done;
+}
+
+static bool import_pictures(const struct import_options *options,
+                            struct font *font)
+{
+    struct pel_font_asset asset = {.magic = 0};
+    const bool done = font_add_box(font) &&
+                      font_asset_make(&asset, font, options->source) &&
+                      write_file(options, &asset);
+    if (done)
+        report_font(options, &asset);
+    font_asset_free(&asset);
+    return done;
+}
+
 static bool is_wanted(long code)
 {
     return code >= 0 && code <= FONT_CODE_MAX && wanted[code];
@@ -202,18 +281,13 @@ static bool is_wanted(long code)
 bool import_font(const struct import_options *options)
 {
     struct font font;
-    struct pel_font_asset asset = {.magic = 0};
     const bool all = !options->codes && !options->chars;
     struct font_options reading = options->font;
     reading.is_wanted = all ? NULL : is_wanted;
-    const bool done = font_load(&font, options->source, &reading) &&
-                      (all || keep_codes(&font, options)) &&
-                      font_add_box(&font) &&
-                      font_asset_make(&asset, &font, options->source) &&
-                      write_file(options, &asset);
-    if (done)
-        report_font(options, &asset);
-    font_asset_free(&asset);
+    const bool done =
+        font_load(&font, options->source, &reading) &&
+        (all || keep_codes(&font, options)) &&
+        (font.em ? import_outlines : import_pictures)(options, &font);
     font_free(&font);
     return done;
 }

@@ -117,6 +117,11 @@ static const struct option_row font_options[] = {
      "of the C object of another font, which is asked for the characters that "
      "this one lacks",
      OPTION_TEXT, .offset = offsetof(struct import_command, options.next)},
+    {"outline", NULL,
+     "the outlines themselves, for text of any size at any angle "
+     "(pel/image/outline_text.h)",
+     OPTION_FLAG,
+     .offset = offsetof(struct import_command, options.font.outline)},
     {"hinting", "KIND",
      "of outlines: none; light, which moves what is level to whole pixels; "
      "full, stems too (auto: light, or full of 1 bit)",
@@ -179,7 +184,8 @@ static const struct use {
     {"name", IMPORT_MESH | IMPORT_PICTURE | IMPORT_FONT, "C assets"},
     {"format", IMPORT_PICTURE | IMPORT_MESH, "pictures and textures"},
     {"normals", IMPORT_MESH, "C assets of meshes"},
-    {"codes|chars|encoding|font-size|bits|hinting|next", IMPORT_FONT, "fonts"},
+    {"codes|chars|encoding|font-size|bits|hinting|next|outline", IMPORT_FONT,
+     "fonts"},
     {"texture-file|normals-from|crease", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
     {"shade|transparency|order|cull|mapping|span", 0, "pel render"},
     {"background|" IMPORT_CHANGE_OPTIONS, IMPORT_PICTURE, "pictures"},
@@ -203,6 +209,18 @@ static bool check_options(const struct options_given *given,
             return message_error("--%s is for %s; %s", given->names[i],
                                  use->what, name);
     }
+    return true;
+}
+
+/* What makes pictures of glyphs has no meaning for outlines. */
+static bool check_outline(const struct import_command *c)
+{
+    const struct options_given *given = &c->scene.given;
+    for (int i = 0; c->options.font.outline && i < given->count; i++)
+        if (choice_find("font-size|bits|hinting|next", given->names[i]) >= 0)
+            return message_error("--%s is for pictures of glyphs; --outline "
+                                 "keeps their outlines",
+                                 given->names[i]);
     return true;
 }
 
@@ -249,7 +267,7 @@ static bool check(struct import_command *c)
     if (!o->name)
         o->name = import_name(output, c->name);
     return (picture || font || check_mesh(input)) &&
-           check_options(&c->scene.given, c->kind) &&
+           check_options(&c->scene.given, c->kind) && check_outline(c) &&
            (c->kind == IMPORT_PEL2D || import_name_check(o->name)) &&
            (!o->next || import_name_check(o->next)) && import_codes_check(o);
 }

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/asset/font_asset.h"
+#include "core/asset/outline_font_asset.h"
 #include "core/format/argb8888.h"
 #include "core/base/surface.h"
 #include "sim/image/format_names.h"
@@ -109,6 +109,27 @@ void report_font(const struct import_options *options,
     put(STRUCT, "the struct, on a 32-bit CPU");
     snprintf(what, sizeof(what), "bytes in flash: %u glyphs, lines of %d px",
              font->glyphs, font->ascent + font->descent);
+    put(font->size + glyphs + ranges + pairs + STRUCT, what);
+}
+
+void report_outlines(const struct import_options *options,
+                     const struct pel_outline_font_asset *font)
+{
+    enum { STRUCT = 52 };
+    char what[64];
+    const size_t glyphs = font->glyphs * sizeof *font->glyph;
+    const size_t ranges = font->ranges * sizeof *font->range;
+    const size_t pairs = font->pairs * sizeof *font->pair;
+    if (is_silent(options))
+        return;
+    put(font->size, "points of glyphs, equal ones once");
+    if (pairs)
+        put(pairs, "pairs of glyphs that are closer or further apart");
+    put(glyphs, "places and advances of glyphs");
+    put(ranges, "ranges of characters");
+    put(STRUCT, "the struct, on a 32-bit CPU");
+    snprintf(what, sizeof(what), "bytes in flash: %u glyphs, an em of %u units",
+             font->glyphs, font->em);
     put(font->size + glyphs + ranges + pairs + STRUCT, what);
 }
 

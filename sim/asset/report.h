@@ -12,8 +12,11 @@ void report_picture(const struct import_options *options,
 
 /* Of a font. */
 struct pel_font_asset;
+struct pel_outline_font_asset;
 void report_font(const struct import_options *options,
                  const struct pel_font_asset *font);
+void report_outlines(const struct import_options *options,
+                     const struct pel_outline_font_asset *font);
 
 /* Of a mesh; with its textures, in that format, unless it is NULL. */
 void report_mesh(const struct import_options *options,

@@ -107,7 +107,7 @@ static struct rows rows_of(const struct font *font, const struct font_char *c,
     return rows;
 }
 
-static int index_of(const struct font *font, uint32_t code)
+int font_index_of(const struct font *font, uint32_t code)
 {
     for (size_t i = 0; i < font->count && i < 256; i++)
         if (font->chars[i].code == code)
@@ -121,8 +121,8 @@ static uint16_t fill_pairs(struct pel_font_pair *pair, const struct font *font)
     uint16_t n = 0;
     for (size_t i = 0; i < font->pair_count && n < UINT16_MAX; i++) {
         const struct font_pair *p = &font->pairs[i];
-        const int left = index_of(font, p->left);
-        const int right = index_of(font, p->right);
+        const int left = font_index_of(font, p->left);
+        const int right = font_index_of(font, p->right);
         if (left >= 0 && right >= 0 && p->x >= -128 && p->x <= 127)
             pair[n++] = (struct pel_font_pair){(uint8_t)left, (uint8_t)right,
                                                (int8_t)p->x};
@@ -139,8 +139,7 @@ static struct pel_font_glyph glyph_of(const struct font_char *c)
                                    .advance = (uint8_t)c->advance};
 }
 
-static uint16_t fill_ranges(struct pel_font_range *range,
-                            const struct font *font)
+uint16_t font_fill_ranges(struct pel_font_range *range, const struct font *font)
 {
     uint16_t n = 0;
     for (size_t i = 0; i < font->count; i++) {
@@ -153,8 +152,7 @@ static uint16_t fill_ranges(struct pel_font_range *range,
     return n;
 }
 
-/* The glyph of the font's code point for others, of U+FFFD, or of `?`. */
-static uint16_t missing_of(const struct font *font)
+uint16_t font_missing_of(const struct font *font)
 {
     const long code[] = {font->missing, 0xFFFD, '?'};
     for (size_t k = 0; k < sizeof(code) / sizeof(*code); k++)
@@ -170,7 +168,7 @@ bool font_add_box(struct font *font)
 {
     uint8_t rows[FONT_SIZE_MAX][FONT_SIZE_MAX] = {{0}};
     struct font_char box = {.code = FONT_CODE_MAX, .width = 3};
-    if (missing_of(font) != PEL_FONT_NONE)
+    if (font_missing_of(font) != PEL_FONT_NONE)
         return true;
     for (size_t i = 0; i < font->count; i++)
         if (font->chars[i].advance - 1 > box.width)
@@ -212,16 +210,22 @@ static bool make_rows(struct pel_font_asset *asset, const struct font *font,
     return bits != NULL;
 }
 
+bool font_count_legal(const struct font *font, const char *path)
+{
+    return font->count < PEL_FONT_NONE ||
+           message_error_at(path, 0,
+                            "has %zu glyphs: expected fewer than 65,535 "
+                            "(pel import has --codes)",
+                            font->count);
+}
+
 bool font_asset_make(struct pel_font_asset *asset, const struct font *font,
                      const char *path)
 {
     const size_t n = font->count;
     *asset = (struct pel_font_asset){.magic = 0};
-    if (n >= PEL_FONT_NONE)
-        return message_error_at(path, 0,
-                                "has %zu glyphs: expected fewer than 65,535 "
-                                "(pel import has --codes)",
-                                n);
+    if (!font_count_legal(font, path))
+        return false;
     struct pel_font_range *range = malloc((n + 1) * sizeof *range);
     struct pel_font_glyph *glyph = malloc((n + 1) * sizeof *glyph);
     struct pel_font_pair *pair = malloc((font->pair_count + 1) * sizeof *pair);
@@ -231,14 +235,14 @@ bool font_asset_make(struct pel_font_asset *asset, const struct font *font,
                                      .ascent = (uint8_t)font->ascent,
                                      .descent = (uint8_t)font->descent,
                                      .glyphs = (uint16_t)n,
-                                     .missing = missing_of(font),
+                                     .missing = font_missing_of(font),
                                      .range = range,
                                      .glyph = glyph,
                                      .pair = pair};
     const bool done =
         range && glyph && pair && rows && make_rows(asset, font, glyph, rows);
     if (done) {
-        asset->ranges = fill_ranges(range, font);
+        asset->ranges = font_fill_ranges(range, font);
         asset->pairs = fill_pairs(pair, font);
         asset->kind = font->steps == 2   ? &pel_font_smooth_2
                       : font->steps == 4 ? &pel_font_smooth

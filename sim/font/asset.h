@@ -22,4 +22,14 @@ bool font_asset_builtin(struct pel_font_asset *asset);
 
 void font_asset_free(struct pel_font_asset *asset);
 
+/* For assets of either kind: the index of a character's glyph among the first
+ * 256, or -1; ranges of the characters, and how many they are, at most one for
+ * each; the glyph of the font's character for others, of U+FFFD, or of `?`, or
+ * PEL_FONT_NONE. False, with a message, for too many glyphs. */
+int font_index_of(const struct font *font, uint32_t code);
+uint16_t font_fill_ranges(struct pel_font_range *range,
+                          const struct font *font);
+uint16_t font_missing_of(const struct font *font);
+bool font_count_legal(const struct font *font, const char *path);
+
 #endif

@@ -76,6 +76,10 @@ static bool put_font(const void *what, FILE *out)
                                 "has pictures of glyphs, no outlines: expected "
                                 "no --bits %d",
                                 file.options.bits);
+    if (file.options.outline && !font.em)
+        return message_error_at(file.path, 0,
+                                "has pictures of glyphs, no outlines: expected "
+                                "no --outline");
     fwrite(&font, sizeof font, 1, out);
     child_put(out, font.chars, font.count * sizeof *font.chars);
     child_put(out, font.bits, font.size);

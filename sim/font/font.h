@@ -20,7 +20,8 @@ struct font_char {
                       up to above the top row */
     int advance;
     size_t offset; /* of its rows in font.bits, as in core/asset/font_asset.h;
-                      of coverage a byte a pixel */
+                      of coverage a byte a pixel; of its points */
+    size_t bytes;  /* of points */
 };
 
 /* Beside the advance, between two code points; x in px. */
@@ -40,6 +41,11 @@ struct font {
                   0: rows of one bit */
     struct font_pair *pairs; /* by left, then right */
     size_t pair_count;
+
+    /* Of a font of outlines, whose lengths are all in its units; its bits are
+     * those of core/asset/outline_font_asset.h. */
+    int em;     /* 0: glyphs are pictures */
+    int box[4]; /* left, bottom, right, top of all glyphs */
 };
 
 struct font_options {
@@ -52,6 +58,7 @@ struct font_options {
         FONT_HINTED_LIGHT, /* what is level moves to whole pixels */
         FONT_HINTED_FULL   /* stems too */
     } hinting;
+    bool outline; /* no pictures: the outlines as they are, of scalable fonts */
     bool (*is_wanted)(long code); /* what is not is left out without a word;
                                      NULL: all are */
 };

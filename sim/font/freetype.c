@@ -83,7 +83,9 @@ static bool set_size(const struct reading *r)
     const long most = r->file->options.size * 64L;
     FT_Size_RequestRec request = {FT_SIZE_REQUEST_TYPE_CELL, 0, most, 0, 0};
     bool done = false;
-    if (!FT_IS_SCALABLE(r->face))
+    if (r->font->em) /* a unit is a pixel */
+        done = FT_Set_Pixel_Sizes(r->face, 0, (FT_UInt)r->font->em) == 0;
+    else if (!FT_IS_SCALABLE(r->face))
         done = FT_Select_Size(r->face, 0) == 0;
     else
         do
@@ -156,7 +158,7 @@ static FT_Int32 flags_of(const struct reading *r)
         r->font->steps ? FT_LOAD_TARGET_NORMAL : FT_LOAD_TARGET_MONO;
     if (!FT_IS_SCALABLE(r->face))
         return FT_LOAD_TARGET_MONO | FT_LOAD_MONOCHROME;
-    if (hinting == FONT_UNHINTED)
+    if (hinting == FONT_UNHINTED || r->font->em)
         return FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP;
     if (hinting == FONT_HINTING)
         return FT_LOAD_NO_BITMAP |
@@ -171,11 +173,25 @@ static bool load(const struct reading *r, FT_UInt index)
     const FT_GlyphSlot slot = r->face->glyph;
     if (FT_Load_Glyph(r->face, index, flags_of(r)) != 0)
         return false;
-    if (r->font->steps)
+    if (r->font->steps || r->font->em)
         return slot->format == FT_GLYPH_FORMAT_OUTLINE;
     return FT_Render_Glyph(slot, FT_RENDER_MODE_MONO) == 0 &&
            (!slot->bitmap.buffer ||
             slot->bitmap.pixel_mode == FT_PIXEL_MODE_MONO);
+}
+
+/* Adds the loaded glyph as points. */
+static bool add_points(struct reading *r, struct font_char *c)
+{
+    const FT_GlyphSlot slot = r->face->glyph;
+    struct font_points points = {.size = 0};
+    outline_put(&slot->outline, &points);
+    const bool large = points.beyond || points.size > UINT16_MAX ||
+                       c->advance < 0 || c->advance > UINT16_MAX;
+    const bool done = large || font_points_keep(r->font, c, &points);
+    r->large += large;
+    free(points.bytes);
+    return done;
 }
 
 /* Draws a glyph into the font. */
@@ -184,7 +200,7 @@ static bool add(struct reading *r, FT_UInt index, long character)
     enum { MOST = FONT_SIZE_MAX };
     const FT_GlyphSlot slot = r->face->glyph;
     uint8_t *level = NULL;
-    if (r->font->steps && !is_wanted(r, character))
+    if ((r->font->steps || r->font->em) && !is_wanted(r, character))
         return true;
     if (!load(r, index)) {
         r->failed += is_wanted(r, character);
@@ -196,6 +212,8 @@ static bool add(struct reading *r, FT_UInt index, long character)
                           .left = slot->bitmap_left,
                           .top = slot->bitmap_top,
                           .advance = (int)(slot->advance.x + 32) >> 6};
+    if (r->font->em)
+        return add_points(r, &c);
     if (r->font->steps && !(level = outline_draw(&slot->outline, &c)))
         return false;
     if (c.width > MOST || c.height > MOST || c.left < -MOST || c.left > MOST ||
@@ -242,7 +260,12 @@ static void report(const struct reading *r)
         message_error_at(r->file->path, 0,
                          "%u glyphs cannot be drawn and are left out",
                          r->failed);
-    if (r->large > 0)
+    if (r->large > 0 && r->font->em)
+        message_error_at(r->file->path, 0,
+                         "%u glyphs are left out: expected points of -32768 "
+                         "to 32767 units, of at most 65535 bytes",
+                         r->large);
+    else if (r->large > 0)
         message_error_at(r->file->path, 0,
                          "%u glyphs are left out: expected glyphs and "
                          "advances of 0 to %d, within -%d to %d of the origin",
@@ -291,14 +314,25 @@ static bool add_all(struct reading *r)
 static bool set_lines(const struct reading *r)
 {
     const FT_Size_Metrics *m = &r->face->size->metrics;
+    const int most = r->font->em ? INT16_MAX : FONT_SIZE_MAX;
     r->font->ascent = (int)((m->ascender + 32) >> 6);
     r->font->descent = (int)((32 - m->descender) >> 6);
-    return (r->font->ascent >= 0 && r->font->ascent <= FONT_SIZE_MAX &&
-            r->font->descent >= 0 && r->font->descent <= FONT_SIZE_MAX) ||
+    return (r->font->ascent >= 0 && r->font->ascent <= most &&
+            r->font->descent >= 0 && r->font->descent <= most) ||
            message_error_at(r->file->path, 0,
-                            "lines reach from %d px above to %d px below the "
+                            "lines reach from %d above to %d below the "
                             "baseline: expected 0 to %d",
-                            r->font->ascent, r->font->descent, FONT_SIZE_MAX);
+                            r->font->ascent, r->font->descent, most);
+}
+
+/* An em of 256 units at least: core/image/outline_text.c divides by it. */
+static bool take_em(const struct reading *r)
+{
+    const int em = FT_IS_SCALABLE(r->face) ? r->face->units_per_EM : 256;
+    r->font->em = FT_IS_SCALABLE(r->face) ? em : 0;
+    return (em >= 256 && em <= 16384) ||
+           message_error_at(r->file->path, 0,
+                            "has an em of %d units: expected 256 to 16384", em);
 }
 
 /* The process ends after it, and with it what it has taken. */
@@ -312,7 +346,9 @@ bool font_parse_other(struct font *font, const struct font_file *file)
         return message_error_at(file->path, 0,
                                 "is no font: expected a BDF, PSF, PCF, "
                                 "TrueType, OpenType, WOFF or Type 1 file");
-    if (FT_IS_SCALABLE(r.face))
+    if (file->options.outline && !take_em(&r))
+        return false;
+    if (FT_IS_SCALABLE(r.face) && !font->em)
         font->steps = file->options.bits == 0   ? 4
                       : file->options.bits == 1 ? 0
                                                 : file->options.bits;
@@ -320,7 +356,7 @@ bool font_parse_other(struct font *font, const struct font_file *file)
         !set_lines(&r) || !add_all(&r))
         return false;
     report(&r);
-    return !font->steps || add_pairs(&r);
+    return (!font->steps && !font->em) || add_pairs(&r);
 }
 
 #else

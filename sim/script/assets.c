@@ -9,6 +9,7 @@
 #include "sim/cli/message.h"
 #include "sim/cli/text_line.h"
 #include "sim/font/asset.h"
+#include "sim/font/outline_asset.h"
 #include "sim/image/texture.h"
 #include "sim/script/parser.h"
 
@@ -37,10 +38,15 @@ static bool load_font(struct script_asset *asset, const char *path)
 {
     const struct font_options options = {.size = asset->size ? asset->size
                                                              : FONT_SIZE,
-                                         .bits = asset->size > 0 ? 4 : 1};
+                                         .bits = asset->size > 0 ? 4 : 1,
+                                         .outline = asset->size < 0};
     struct font font;
-    const bool done = font_load(&font, path, &options) &&
-                      font_asset_make(&asset->font, &font, path);
+    bool done = font_load(&font, path, &options);
+    if (done && font.em)
+        done = outline_add_box(&font) &&
+               outline_asset_make(&asset->outlines, &font, path);
+    else if (done)
+        done = font_asset_make(&asset->font, &font, path);
     font_free(&font);
     return done;
 }
@@ -118,7 +124,9 @@ static bool load(const struct script_parser *p, enum script_kind kind,
 static void free_asset(const struct script_asset *asset)
 {
     struct pel_font_asset font = asset->font;
+    struct pel_outline_font_asset outlines = asset->outlines;
     font_asset_free(&font);
+    outline_asset_free(&outlines);
     free(asset->picture.pixels);
     free(asset->path);
     free(asset->text);
@@ -160,6 +168,8 @@ static size_t find(const struct script *script, const struct script_asset *new)
 static int size_of(const struct script_parser *p, enum script_kind kind)
 {
     const struct script *script = p->script;
+    if (strcmp(p->command->name, "font outline") == 0)
+        return -1;
     return kind == KIND_FONT && *p->command->kinds == KIND_COUNT
                ? pel_max(1, pel_min(script->values[script->value_count - 1],
                                     FONT_SIZE_MAX))

@@ -7,7 +7,7 @@
 #ifndef SIM_SCRIPT_COMMANDS_H
 #define SIM_SCRIPT_COMMANDS_H
 
-#include "core/asset/font_asset.h"
+#include "core/asset/outline_font_asset.h"
 #include "core/paint/paint_texture.h"
 #include "core/pel.h"
 #include "core/raster/polygon.h"
@@ -34,7 +34,9 @@ struct script_pen {
     uint8_t cap, join;   /* of strokes: enum pel_cap, pel_join */
     int32_t dash[3];     /* its length, the gap, the phase; 0 0: none */
     struct pel_rect clip;
-    const struct pel_font_asset *font; /* in force, or NULL */
+    const struct pel_font_asset *font;             /* in force, or NULL */
+    const struct pel_outline_font_asset *outlines; /* the same */
+    uint8_t align; /* of text of outlines: enum pel_text_align */
     bool failed; /* a mesh had too little memory, or a light is one too many */
     struct script_scene *scene; /* of commands that SCRIPT_SCENE marks, which
                                    do nothing when it is NULL */

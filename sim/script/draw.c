@@ -79,14 +79,18 @@ static bool check_whole(const struct script *script,
                             script->height);
 }
 
-/* Does it draw strokes or paths, which have many more sides than points? */
+/* Does it draw strokes, paths or outlines of letters, which have many more
+ * sides than points? */
 static bool has_strokes(const struct script *script)
 {
     const struct script_item *item = script->items;
-    for (; item < script->items + script->item_count; item++)
+    for (; item < script->items + script->item_count; item++) {
+        if (item->command->role == SCRIPT_TEXT)
+            return true;
         for (const struct script_command *c = script_strokes; c->name; c++)
             if (item->command == c && c->role == SCRIPT_SHAPE)
                 return true;
+    }
     return false;
 }
 

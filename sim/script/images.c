@@ -1,6 +1,7 @@
 #include "core/image/copy.h"
 #include "core/image/glyph_text.h"
 #include "core/image/scroll.h"
+#include "core/image/smooth_outline_text.h"
 #include "sim/script/parser.h"
 
 static void set_font(struct script_pen *pen, const int32_t *v)
@@ -14,6 +15,28 @@ static void draw_text(struct script_pen *pen, const int32_t *v)
     const struct pel_text_block text = {
         pen->font, pen->script->assets[v[2]].text, v[0], v[1]};
     pel_text(pen->surface, &text, script_paint(pen));
+}
+
+static void set_outlines(struct script_pen *pen, const int32_t *v)
+{
+    pen->outlines = &pen->script->assets[v[0]].outlines;
+}
+
+/* There is a font of outlines. A row has more sides than there is room for only
+ * in a font that was made for that. */
+static void draw_outline_text(struct script_pen *pen, const int32_t *v)
+{
+    const struct pel_point at = {v[0], v[1]};
+    const struct pel_outline_text text = {
+        .font = pen->outlines,
+        .string = pen->script->assets[v[4]].text,
+        .transform = pel_outline_transform(pen->outlines, v[2], v[3], at),
+        .align = (enum pel_text_align)pen->align};
+    const enum pel_status status =
+        (pen->smooth ? pel_smooth_outline_text
+                     : pel_outline_text)(pen->surface, &text, script_paint(pen),
+                                         pen->scratch, pen->scratch_size);
+    pen->failed = pen->failed || status == PEL_ERROR_SCRATCH;
 }
 
 static struct pel_copy_part copy_of(const struct script_pen *pen,
@@ -62,7 +85,12 @@ static const char *check_smooth_font(const int32_t *v, size_t n)
 const struct script_command script_images[] = {
     {"font smooth", "nF", "PX FILE", SCRIPT_FONT, .draw = set_smooth_font,
      .check = check_smooth_font},
+    {"font outline", "F", "FILE", SCRIPT_FONT, .draw = set_outlines},
     {"font", "F", "FILE", SCRIPT_FONT, .draw = set_font},
+    {"option align", "o", "left|center|right", SCRIPT_STATE,
+     SCRIPT_SETTING(struct script_pen, align, 1)},
+    {"text outline", "ppltT", "X Y SIZE TURN \"TEXT\"", SCRIPT_TEXT,
+     .draw = draw_outline_text},
     {"text", "iiT", "X Y \"TEXT\"", SCRIPT_TEXT, .draw = draw_text},
     {"image key", "iicP", "X Y COLOUR FILE", SCRIPT_PICTURE,
      .draw = draw_image_key},

@@ -122,7 +122,7 @@ static bool take_canvas(struct script_parser *p, const int32_t *v)
     script->height = v[1];
     if (!script->format)
         script->format = format_names[v[2]].format;
-    p->font = -1;
+    p->font = p->outlines = -1;
     p->scene = (struct script_scene){.settings = scene_default, .texture = -1};
     p->scene.settings.camera.width = v[0];
     p->scene.settings.camera.height = v[1];
@@ -136,6 +136,10 @@ static bool check_text(const struct script_parser *p, int32_t text)
 {
     const struct script_asset *assets = p->script->assets;
     const char *c = assets[text].text;
+    if (strcmp(p->command->name, "text outline") == 0)
+        return p->outlines >= 0 ||
+               ERROR_AT(p, "text without outlines: expected font outline FILE "
+                           "before it");
     if (p->font < 0)
         return ERROR_AT(p, "text without a font: expected font FILE before it");
     while (*c) {
@@ -181,10 +185,13 @@ static bool check_command(struct script_parser *p,
         p->by_vertex = c->role == SCRIPT_PAINT_VERTEX;
         return true;
     case SCRIPT_FONT:
-        p->font = v[item->count - 1];
+        if (p->script->assets[v[item->count - 1]].size < 0)
+            p->outlines = v[item->count - 1];
+        else
+            p->font = v[item->count - 1];
         return true;
     case SCRIPT_TEXT:
-        return check_text(p, v[2]);
+        return check_text(p, v[item->count - 1]);
     case SCRIPT_SCENE:
         return set_scene(p, item);
     case SCRIPT_BANDS:

@@ -3,7 +3,7 @@
 #ifndef SIM_SCRIPT_PARSER_H
 #define SIM_SCRIPT_PARSER_H
 
-#include "core/asset/font_asset.h"
+#include "core/asset/outline_font_asset.h"
 #include "sim/render/scene.h"
 #include "sim/script/commands.h"
 
@@ -27,7 +27,8 @@ struct script_asset {
     enum script_kind kind;
     char *path; /* of a font, a picture, a mesh, by which a line finds it */
     struct pel_font_asset font;
-    int size;                   /* px of a smooth font, or 0 */
+    struct pel_outline_font_asset outlines;
+    int size;                   /* px of a smooth font, or 0; -1: outlines */
     struct pel_surface picture; /* of argb8888 pixels */
     char *text;
     struct script_mesh *mesh;
@@ -41,7 +42,7 @@ struct script_parser {
     size_t word_count;
     const struct script_command *command; /* of the line */
     bool by_vertex;                       /* paint vertex is in force */
-    int32_t font;                         /* in force, or -1 */
+    int32_t font, outlines;               /* in force, or -1 */
     struct script_scene scene;            /* in force */
 };
 

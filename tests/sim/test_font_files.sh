@@ -134,6 +134,29 @@ if command -v arm-none-eabi-gcc >/dev/null; then
         fail "told $told of $parts, made $made: $(cat "$dir/table")"
 fi
 
+# Outlines: what has none is refused, and so is what makes pictures of them.
+refused 'has pictures of glyphs, no outlines: expected no --outline' \
+    "$dir/hand.bdf" --outline
+dejavu=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf
+if [ -f "$dejavu" ] && "$PEL" import "$dejavu" --outline --name asset --chars 'aV?' \
+    -o "$dir/outline.c" >"$dir/table" 2>&1; then
+    for option in '--bits 4' '--hinting full' '--font-size 9' '--next more'; do
+        refused "${option% *} is for pictures of glyphs; --outline keeps" \
+            "$dejavu" --outline $option
+    done
+    sed -i 's/^extern const struct pel_outline_font_asset asset;$/__attribute__((used))/' \
+        "$dir/outline.c"
+    if command -v arm-none-eabi-gcc >/dev/null; then
+        arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb $INCLUDE -Iinclude -c "$dir/outline.c" \
+            -o "$dir/outline.o" || fail "outline.c does not compile"
+        made=$(arm-none-eabi-size -A "$dir/outline.o" |
+            awk '/^\.(rodata|data)/ { n += $2 } END { print n }')
+        told=$(awk '/bytes in flash: 3 glyphs/ { print $1 }' "$dir/table")
+        [ $((made - told)) -ge 0 ] && [ $((made - told)) -lt 4 ] ||
+            fail "told $told, made $made: $(cat "$dir/table")"
+    fi
+fi
+
 # A box stands for what is missing where the font has no glyph for that.
 font box sim/scenes/fixed_6x13.bdf --chars 'i'
 shows box 'xi' <<'EOF'

@@ -97,6 +97,15 @@ EOF
 printf 'P3 2 2 255  255 0 0  0 0 0  0 0 0  0 255 0\n' >"$work/p.ppm"
 same 'rect 4 5 2 2\nrect 7 5 2 2\nrect 4 7 2 2\nrect 10 5 1 1' \
     'font "a folder/f.bdf"\ntext 4 5 "xx\\"\\nx" # a comment'
+# At 0 turns and in steps of a quarter the box of a missing glyph is a ring.
+dejavu=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf
+if [ -f "$dejavu" ] && "$PEL" import "$dejavu" --outline -o "$work/o.c" >/dev/null 2>&1; then
+    # an l, of 188 to 372 units of 2,048 and 1,556 high
+    same 'rect 8.59375 2.609375 1.4375 12.15625' \
+        "font outline $dejavu\ntext outline 7.125 14.765625 16 0 \"l\""
+    same 'rect 2 8.59375 12.15625 1.4375' \
+        "font outline $dejavu\ntext outline 14.15625 10.0625 16 0.75 \" \nl\""
+fi
 same 'paint flat #ff0000\nrect 4 5 1 1\npaint flat #00ff00\nrect 5 6 1 1' \
     'image 4 5 p.ppm'
 same 'clear #808080\npaint flat #ff0000\nrect 4 5 1 1\npaint flat #00ff00\nrect 5 6 1 1' \
@@ -125,6 +134,8 @@ sed -i 's/bands 8/bands 0/' "$work/s.pel"
 "$PEL" run "$work/s.pel" --bands 9 2>"$work/err" && fail "scroll, --bands 9"
 grep -qF "s.pel:3: scroll: a band of 9 rows" "$work/err" || fail "no line: scroll"
 
+echo 'text outline 1 2 3 0 "x"' |
+    refused_script 2 'text without outlines: expected font outline FILE before it'
 echo 'text 1 2 "x"' | refused_script 2 'text without a font: expected font FILE before it'
 printf 'font "a folder/f.bdf"\ntext 1 2 x\n' |
     refused_script 3 'text: x: expected a text in quotes'

@@ -1,0 +1,101 @@
+#ifdef HAVE_FREETYPE
+#include "core/asset/outline_font_asset.h"
+#include "sim/font/outline.h"
+
+/* A point is put when the next one shows that it is not left out. */
+struct putting {
+    struct font_points *to;
+    FT_Vector begin;   /* of the part */
+    FT_Vector control; /* the last of a quadratic curve */
+    FT_Vector at;      /* where it ends, which is still to be put */
+    enum { NOTHING, POINT, QUAD_END } waits;
+};
+
+static int unit(FT_Pos x)
+{
+    return (int)((x + 32) >> 6);
+}
+
+static void put(const struct putting *p, int kind, const FT_Vector *v)
+{
+    font_points_add(p->to, kind, unit(v->x), unit(v->y));
+}
+
+/* The end of the last line or curve. */
+static void put_waiting(struct putting *p)
+{
+    if (p->waits != NOTHING)
+        put(p, PEL_OUTLINE_ON, &p->at);
+    p->waits = NOTHING;
+}
+
+/* Parts close by themselves. */
+static void close_part(struct putting *p)
+{
+    if (unit(p->at.x) != unit(p->begin.x) || unit(p->at.y) != unit(p->begin.y))
+        put_waiting(p);
+    p->waits = NOTHING;
+}
+
+static int move_to(const FT_Vector *to, void *user)
+{
+    struct putting *p = user;
+    close_part(p);
+    put(p, PEL_OUTLINE_BEGIN, to);
+    p->begin = p->at = *to;
+    return 0;
+}
+
+static int line_to(const FT_Vector *to, void *user)
+{
+    struct putting *p = user;
+    put_waiting(p);
+    p->at = *to;
+    p->waits = POINT;
+    return 0;
+}
+
+/* FreeType rounds what lies half-way between two whole numbers to either. */
+static bool is_half_way(FT_Pos a, FT_Pos b, FT_Pos middle)
+{
+    const int off = unit(a) + unit(b) - 2 * unit(middle);
+    return off >= -1 && off <= 1;
+}
+
+static int conic_to(const FT_Vector *control, const FT_Vector *to, void *user)
+{
+    struct putting *p = user;
+    if (p->waits != QUAD_END ||
+        !is_half_way(p->control.x, control->x, p->at.x) ||
+        !is_half_way(p->control.y, control->y, p->at.y))
+        put_waiting(p);
+    put(p, PEL_OUTLINE_QUAD, control);
+    p->control = *control;
+    p->at = *to;
+    p->waits = QUAD_END;
+    return 0;
+}
+
+static int cubic_to(const FT_Vector *a, const FT_Vector *b, const FT_Vector *to,
+                    void *user)
+{
+    struct putting *p = user;
+    put_waiting(p);
+    put(p, PEL_OUTLINE_CUBIC, a);
+    put(p, PEL_OUTLINE_CUBIC, b);
+    p->at = *to;
+    p->waits = POINT;
+    return 0;
+}
+
+void outline_put(FT_Outline *outline, struct font_points *points)
+{
+    static const FT_Outline_Funcs functions = {move_to,  line_to, conic_to,
+                                               cubic_to, 0,       0};
+    struct putting p = {.to = points};
+    FT_Outline_Decompose(outline, &functions, &p);
+    close_part(&p);
+}
+#else
+typedef int outline_points_are_empty;
+#endif

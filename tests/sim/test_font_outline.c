@@ -1,0 +1,273 @@
+/* Fonts of outlines: the points of the asset are those that FreeType reads,
+ * for TrueType, OpenType and Type 1; damaged files are read or refused. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+#include FT_OUTLINE_H
+
+#include "files.h"
+#include "sim/font/outline_asset.h"
+#include "tests/support/cases.h"
+#include "tests/support/check.h"
+
+static const char *const paths[] = {
+    "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+    "/usr/share/fonts/truetype/dejavu/DejaVuSerif.ttf",
+    "/usr/share/fonts/truetype/noto/NotoSansMono-Regular.ttf",
+    "/usr/share/fonts/opentype/urw-base35/NimbusRoman-Regular.otf",
+    "/usr/share/fonts/opentype/urw-base35/NimbusSans-Bold.otf",
+    "/usr/share/fonts/type1/urw-base35/C059-Roman.t1",
+};
+enum { FONTS = sizeof paths / sizeof *paths, MOST = 4096 };
+
+/* Lines and curves, one number after the other: M, L, Q or C and points. */
+struct segments {
+    int v[MOST], n;
+    int begin[2];
+    bool is_scaled;
+};
+
+static void put(struct segments *s, int value)
+{
+    assert_true(s->n < MOST);
+    s->v[s->n++] = value;
+}
+
+/* What FreeType has is in 1/64. */
+static int in_units(const struct segments *s, FT_Pos x)
+{
+    return (int)(s->is_scaled ? (x + 32) >> 6 : x);
+}
+
+static void put_points(struct segments *s, char verb, const FT_Vector *v, int n)
+{
+    put(s, verb);
+    for (int i = 0; i < n; i++) {
+        put(s, in_units(s, v[i].x));
+        put(s, in_units(s, v[i].y));
+    }
+}
+
+/* A line back to where the part began is none. */
+static void end_part(struct segments *s)
+{
+    if (s->n > 3 && s->v[s->n - 3] == 'L' && s->v[s->n - 2] == s->begin[0] &&
+        s->v[s->n - 1] == s->begin[1])
+        s->n -= 3;
+}
+
+static int move_to(const FT_Vector *to, void *user)
+{
+    struct segments *s = user;
+    end_part(s);
+    put_points(s, 'M', to, 1);
+    s->begin[0] = in_units(s, to->x);
+    s->begin[1] = in_units(s, to->y);
+    return 0;
+}
+
+static int line_to(const FT_Vector *to, void *user)
+{
+    put_points(user, 'L', to, 1);
+    return 0;
+}
+
+static int conic_to(const FT_Vector *a, const FT_Vector *to, void *user)
+{
+    const FT_Vector v[] = {*a, *to};
+    put_points(user, 'Q', v, 2);
+    return 0;
+}
+
+static int cubic_to(const FT_Vector *a, const FT_Vector *b, const FT_Vector *to,
+                    void *user)
+{
+    const FT_Vector v[] = {*a, *b, *to};
+    put_points(user, 'C', v, 3);
+    return 0;
+}
+
+static int take(const uint8_t **at, int form)
+{
+    int move = form ? *(*at)++ : 0;
+    if (form == 3)
+        move = (int16_t)(move | *(*at)++ << 8);
+    return form == 2 ? -move : move;
+}
+
+/* The bytes of a glyph by the header's words. */
+static void decode(struct segments *s, const uint8_t *at, const uint8_t *end)
+{
+    FT_Vector begin = {0, 0}, p = {0, 0}, wait[3];
+    int n = 0;
+    while (at < end) {
+        const int head = *at++, kind = head & 3;
+        const FT_Vector before = p;
+        p.x += take(&at, head >> 2 & 3);
+        p.y += take(&at, head >> 4 & 3);
+        const bool half = kind == PEL_OUTLINE_QUAD && n == 1;
+        const bool ends = kind == PEL_OUTLINE_BEGIN && n > 0;
+        if (half || ends) {
+            wait[n] = begin;
+            if (half)
+                wait[n] =
+                    (FT_Vector){(before.x + p.x) >> 1, (before.y + p.y) >> 1};
+            put_points(s, n == 1 ? 'Q' : 'C', wait, n + 1);
+            n = 0;
+        }
+        if (kind == PEL_OUTLINE_BEGIN) {
+            move_to(&p, s);
+            begin = p;
+        }
+        if (kind != PEL_OUTLINE_BEGIN)
+            wait[n++] = p;
+        if (kind == PEL_OUTLINE_ON) {
+            put_points(s, n == 1 ? 'L' : n == 2 ? 'Q' : 'C', wait, n);
+            n = 0;
+        }
+    }
+    wait[n] = begin;
+    if (n > 0)
+        put_points(s, n == 1 ? 'Q' : 'C', wait, n + 1);
+    end_part(s);
+}
+
+/* FreeType rounds the middle of two controls of odd distance to either side. */
+static bool is_same(const struct segments *a, const struct segments *b)
+{
+    int points = 0; /* to the end of the segment */
+    bool same = a->n == b->n;
+    for (int i = 0; same && i < a->n; points--, i++) {
+        const bool is_end = points == 1 || points == 2;
+        const int off = a->v[i] - b->v[i];
+        same = off == 0 || (is_end && abs(off) == 1);
+        if (points == 0)
+            points = a->v[i] == 'C' ? 7 : a->v[i] == 'Q' ? 5 : 3;
+    }
+    return same;
+}
+
+static void make(struct pel_outline_font_asset *asset, const char *path)
+{
+    const struct font_options options = {.outline = true};
+    struct font font;
+    if (!font_load(&font, path, &options))
+        fail_msg("%s is not read", path);
+    assert_true(outline_add_box(&font));
+    assert_true(outline_asset_make(asset, &font, path));
+    font_free(&font);
+    assert_int_equal(pel_outline_font_asset_check(asset), PEL_OK);
+}
+
+static void check_glyphs(const struct pel_outline_font_asset *asset,
+                         FT_Face face, const char *path)
+{
+    static const FT_Outline_Funcs functions = {move_to,  line_to, conic_to,
+                                               cubic_to, 0,       0};
+    static struct segments here, there;
+    for (uint32_t i = 0; i < asset->ranges; i++)
+        for (uint32_t k = 0; k < asset->range[i].count; k++) {
+            const uint32_t code = asset->range[i].first + k;
+            const struct pel_outline_glyph *g =
+                &asset->glyph[asset->range[i].glyph + k];
+            const uint8_t *at = asset->points + g->offset;
+            if (FT_Load_Char(face, code, FT_LOAD_NO_HINTING) != 0 ||
+                FT_Get_Char_Index(face, code) == 0)
+                continue;
+            here.n = there.n = 0;
+            there.is_scaled = true;
+            decode(&here, at, at + g->size);
+            FT_Outline_Decompose(&face->glyph->outline, &functions, &there);
+            end_part(&there);
+            if (!is_same(&here, &there) ||
+                g->advance != in_units(&there, face->glyph->advance.x))
+                fail_msg("%s: U+%04X", path, (unsigned)code);
+        }
+}
+
+TEST(points_are_those_of_freetype)
+{
+    FT_Library library;
+    FT_Face face;
+    assert_int_equal(FT_Init_FreeType(&library), 0);
+    for (int i = 0; i < FONTS; i++) {
+        struct pel_outline_font_asset asset;
+        make(&asset, paths[i]);
+        assert_int_equal(FT_New_Face(library, paths[i], 0, &face), 0);
+        FT_Set_Pixel_Sizes(face, 0, face->units_per_EM);
+        assert_int_equal(asset.em, face->units_per_EM);
+        assert_true(asset.glyphs > 200);
+        check_glyphs(&asset, face, paths[i]);
+        FT_Done_Face(face);
+        outline_asset_free(&asset);
+    }
+    FT_Done_FreeType(library);
+}
+
+static bool is_latin(long code)
+{
+    return code < 127;
+}
+
+/* A line of ASCII takes no more flash than issue and manual say. */
+TEST(ascii_is_small)
+{
+    const struct font_options options = {.outline = true,
+                                         .is_wanted = is_latin};
+    struct pel_outline_font_asset asset;
+    struct font font;
+    assert_true(font_load(&font, paths[0], &options));
+    assert_true(outline_asset_make(&asset, &font, paths[0]));
+    assert_int_equal(asset.glyphs, 95);
+    assert_in_range(asset.size + asset.glyphs * sizeof *asset.glyph, 5000,
+                    6600);
+    font_free(&font);
+    outline_asset_free(&asset);
+}
+
+static char *read_font(const char *path, size_t *size)
+{
+    FILE *file = fopen(path, "rb");
+    assert_non_null(file);
+    char *bytes = malloc(1 << 20);
+    *size = fread(bytes, 1, (size_t)1 << 20, file);
+    fclose(file);
+    return bytes;
+}
+
+TEST(damaged_files_are_read_or_refused)
+{
+    for (struct cases c = cases_of(120); cases_next(&c);) {
+        struct random *const r = &c.random;
+        const struct font_options options = {.outline = true,
+                                             .is_wanted = is_latin};
+        struct messages m;
+        struct font font;
+        size_t size;
+        char *bytes = read_font(paths[random_word(r) % FONTS], &size);
+        for (int n = random_between(r, 1, 200); n > 0; n--)
+            bytes[random_word(r) % size] = (char)random_word(r);
+        if (random_word(r) % 8 == 0)
+            size = random_word(r) % size;
+        char *path = file_with(bytes, size);
+        messages_begin(&m);
+        const bool done = font_load(&font, path, &options);
+        const char *said = messages_end(&m);
+        if (strstr(said, "crashed"))
+            fail_msg("%s: %s", cases_replay(), said);
+        if (done) {
+            struct pel_outline_font_asset asset;
+            assert_true(outline_add_box(&font));
+            assert_true(outline_asset_make(&asset, &font, path));
+            assert_int_equal(pel_outline_font_asset_check(&asset), PEL_OK);
+            outline_asset_free(&asset);
+        }
+        font_free(&font);
+        remove(path);
+        free(path);
+        free(bytes);
+    }
+}
