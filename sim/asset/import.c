@@ -218,8 +218,8 @@ static bool check_outline(const struct import_command *c)
     const struct options_given *given = &c->scene.given;
     for (int i = 0; c->options.font.outline && i < given->count; i++)
         if (choice_find("font-size|bits|hinting|next", given->names[i]) >= 0)
-            return message_error("--%s is for pictures of glyphs; --outline "
-                                 "keeps their outlines",
+            return message_error("--%s is for pictures of glyphs, --outline "
+                                 "for none: expected one of the two",
                                  given->names[i]);
     return true;
 }

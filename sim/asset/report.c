@@ -115,7 +115,7 @@ void report_font(const struct import_options *options,
 void report_outlines(const struct import_options *options,
                      const struct pel_outline_font_asset *font)
 {
-    enum { STRUCT = 52 };
+    enum { STRUCT = 48 };
     char what[64];
     const size_t glyphs = font->glyphs * sizeof *font->glyph;
     const size_t ranges = font->ranges * sizeof *font->range;

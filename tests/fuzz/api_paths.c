@@ -66,6 +66,60 @@ static void take_path(struct api *a, struct any_path *p)
                                           how & 16, p->shape.stroke};
 }
 
+/* Outlines of any bytes. */
+static void any_text(struct api *a, const struct pel_surface *surface,
+                     const struct pel_paint *paint, void *scratch, size_t size)
+{
+    static const struct pel_font_range range[2] = {{'A', 2, 0}, {0x80, 1, 2}};
+    static const struct pel_outline_pair pair = {0, 1, -32768};
+    struct pel_outline_glyph glyph[3];
+    uint8_t bytes[64];
+    char string[9] = {0};
+    for (size_t i = 0; i < sizeof bytes; i++)
+        bytes[i] = input_byte(&a->in);
+    for (size_t i = 0; i + 1 < sizeof string; i++)
+        string[i] = (char)input_byte(&a->in);
+    for (int i = 0; i < 3; i++)
+        glyph[i] = (struct pel_outline_glyph){
+            input_below(&a->in, sizeof bytes + 2),
+            (uint16_t)input_below(&a->in, sizeof bytes),
+            (uint16_t)input_word(&a->in)};
+    const struct pel_outline_font_asset font = {
+        .magic = PEL_OUTLINE_FONT_MAGIC,
+        .version = PEL_OUTLINE_FONT_VERSION,
+        .em = (uint16_t)input_word(&a->in),
+        .ascent = (uint16_t)input_word(&a->in),
+        .left = (int16_t)input_word(&a->in),
+        .bottom = (int16_t)input_word(&a->in),
+        .right = (int16_t)input_word(&a->in),
+        .top = (int16_t)input_word(&a->in),
+        .ranges = 2,
+        .glyphs = 3,
+        .pairs = 1,
+        .missing = input_byte(&a->in) & 1 ? 1 : PEL_FONT_NONE,
+        .size = sizeof bytes,
+        .range = range,
+        .glyph = glyph,
+        .points = bytes,
+        .pair = &pair};
+    const uint32_t how = input_byte(&a->in);
+    struct pel_outline_text text = {.font = &font,
+                                    .string = string,
+                                    .align = (enum pel_text_align)(how % 3),
+                                    .tolerance =
+                                        how & 8 ? input_number(&a->in) : 0};
+    if (pel_outline_font_asset_check(&font) != PEL_OK)
+        return;
+    text.transform = pel_outline_transform(
+        &font, (int32_t)(input_word(&a->in) & 0x7FFFFF) % PEL_PX(32767),
+        input_number(&a->in), api_point(a));
+    if (how & 16)
+        text.transform.xy = input_number(&a->in);
+    (how & 32 ? pel_smooth_outline_text
+              : pel_outline_text)(surface, &text, paint, scratch, size);
+    pel_hit_outline_text(&text, (int32_t)(how % 8), 3);
+}
+
 void api_path(struct api *a, const struct pel_surface *surface,
               const struct pel_paint *paint)
 {
@@ -73,6 +127,10 @@ void api_path(struct api *a, const struct pel_surface *surface,
     const uint32_t kind = input_byte(&a->in);
     const size_t size = input_word(&a->in) % (MEMORY + 1);
     struct any_path p;
+    if (kind & 8) {
+        any_text(a, surface, paint, scratch, size);
+        return;
+    }
     take_path(a, &p);
     if (kind % 4 == 0)
         (kind & 4 ? pel_smooth_path_fill : pel_path_fill)(surface, &p.shape,

@@ -141,7 +141,7 @@ dejavu=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf
 if [ -f "$dejavu" ] && "$PEL" import "$dejavu" --outline --name asset --chars 'aV?' \
     -o "$dir/outline.c" >"$dir/table" 2>&1; then
     for option in '--bits 4' '--hinting full' '--font-size 9' '--next more'; do
-        refused "${option% *} is for pictures of glyphs; --outline keeps" \
+        refused "is for pictures of glyphs, --outline" \
             "$dejavu" --outline $option
     done
     sed -i 's/^extern const struct pel_outline_font_asset asset;$/__attribute__((used))/' \

@@ -97,14 +97,16 @@ EOF
 printf 'P3 2 2 255  255 0 0  0 0 0  0 0 0  0 255 0\n' >"$work/p.ppm"
 same 'rect 4 5 2 2\nrect 7 5 2 2\nrect 4 7 2 2\nrect 10 5 1 1' \
     'font "a folder/f.bdf"\ntext 4 5 "xx\\"\\nx" # a comment'
-# At 0 turns and in steps of a quarter the box of a missing glyph is a ring.
 dejavu=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf
 if [ -f "$dejavu" ] && "$PEL" import "$dejavu" --outline -o "$work/o.c" >/dev/null 2>&1; then
-    # an l, of 188 to 372 units of 2,048 and 1,556 high
-    same 'rect 8.59375 2.609375 1.4375 12.15625' \
-        "font outline $dejavu\ntext outline 7.125 14.765625 16 0 \"l\""
-    same 'rect 2 8.59375 12.15625 1.4375' \
-        "font outline $dejavu\ntext outline 14.15625 10.0625 16 0.75 \" \nl\""
+    # its l reaches from 193 to 377 units of 2,048, and is 1,556 high
+    same 'rect 8.5078125 2.609375 1.4375 12.15625' \
+        "font outline $dejavu\\ntext outline 7 14.765625 16 0 \"l\""
+    same 'rect 2 7.1171875 12.15625 1.4375' \
+        "font outline $dejavu\\ntext outline 14.15625 10.0625 16 0.75 \"l\""
+    # each has an advance of 569
+    same 'rect 11.4140625 2.609375 1.4375 12.15625\nrect 6.96875 2.609375 1.4375 12.15625' \
+        "font outline $dejavu\\noption align center\\ntext outline 9.90625 14.765625 16 0 \"ll\""
 fi
 same 'paint flat #ff0000\nrect 4 5 1 1\npaint flat #00ff00\nrect 5 6 1 1' \
     'image 4 5 p.ppm'
