@@ -28,7 +28,7 @@ static int32_t take_move(struct points *p, uint32_t size)
     if (size == 0 || p->end - p->at < (size == 3 ? 2 : 1))
         return 0;
     const int32_t n = *p->at++;
-    return size == 1 ? n : size == 2 ? -n : (int16_t)(n | *p->at++ << 8);
+    return size == 1 ? n : size == 2 ? -n : (int16_t)(n + 256 * *p->at++);
 }
 
 /* The coordinates are modulo 2^16. */
