@@ -18,7 +18,7 @@ struct pel_outline_fill {
 };
 
 enum pel_status pel_outline_text_fill(const struct pel_surface *surface,
-                                      const struct pel_outline_text *text,
+                                      const struct pel_outline_text_block *text,
                                       const struct pel_outline_fill *fill);
 
 #endif

@@ -182,7 +182,8 @@ struct visitor {
     bool (*take)(struct visitor *visitor, struct placed *glyph);
 };
 
-static void begin_line(struct line *l, const struct pel_outline_text *text)
+static void begin_line(struct line *l,
+                       const struct pel_outline_text_block *text)
 {
     const int32_t width = text->align == PEL_TEXT_LEFT
                               ? 0
@@ -191,7 +192,8 @@ static void begin_line(struct line *l, const struct pel_outline_text *text)
     l->glyph = PEL_FONT_NONE;
 }
 
-static void visit(const struct pel_outline_text *text, struct visitor *visitor)
+static void visit(const struct pel_outline_text_block *text,
+                  struct visitor *visitor)
 {
     const struct pel_outline_font_asset *const font = text->font;
     struct line l = {.font = font, .next = text->string};
@@ -251,7 +253,7 @@ static bool draw_glyph(struct visitor *visitor, struct placed *g)
 }
 
 enum pel_status pel_outline_text_fill(const struct pel_surface *surface,
-                                      const struct pel_outline_text *text,
+                                      const struct pel_outline_text_block *text,
                                       const struct pel_outline_fill *fill)
 {
     struct drawing d = {.visitor = {draw_glyph}, .fill = fill};
@@ -266,7 +268,7 @@ enum pel_status pel_outline_text_fill(const struct pel_surface *surface,
 }
 
 enum pel_status pel_outline_text(const struct pel_surface *surface,
-                                 const struct pel_outline_text *text,
+                                 const struct pel_outline_text_block *text,
                                  const struct pel_paint *paint, void *scratch,
                                  size_t size)
 {
@@ -292,7 +294,7 @@ static bool hit_glyph(struct visitor *visitor, struct placed *g)
     return !h->inside;
 }
 
-bool pel_hit_outline_text(const struct pel_outline_text *text, int32_t x,
+bool pel_hit_outline_text(const struct pel_outline_text_block *text, int32_t x,
                           int32_t y)
 {
     struct hit h = {.visitor = {hit_glyph}, .x = x, .y = y};

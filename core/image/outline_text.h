@@ -3,7 +3,7 @@
  * (image/glyph_text.h).
  *
  *     const struct pel_point hub = {PEL_PX(120), PEL_PX(120)};
- *     struct pel_outline_text label = {.font = &dejavu, .string = "80",
+ *     struct pel_outline_text_block label = {.font = &dejavu, .string = "80",
  *                                      .align = PEL_TEXT_CENTER};
  *     label.transform = pel_outline_transform(
  *         &dejavu, PEL_PX(18), PEL_DEGREES(45),
@@ -21,7 +21,7 @@
 
 PEL_BEGIN_DECLS
 
-struct pel_outline_text {
+struct pel_outline_text_block {
     const struct pel_outline_font_asset *font; /* checked */
     const char *string;             /* UTF-8, ends with a 0; up to 2^14 bytes */
     struct pel_transform transform; /* of the font's units; its `at` is where
@@ -45,12 +45,12 @@ struct pel_transform pel_outline_transform(
  * too, of the first glyph that has one, and the text ends there. A glyph whose
  * pen is out of range is left out. */
 enum pel_status pel_outline_text(const struct pel_surface *surface,
-                                 const struct pel_outline_text *text,
+                                 const struct pel_outline_text_block *text,
                                  const struct pel_paint *paint, void *scratch,
                                  size_t size);
 
 /* Is the pixel covered by one of them? */
-bool pel_hit_outline_text(const struct pel_outline_text *text, int32_t x,
+bool pel_hit_outline_text(const struct pel_outline_text_block *text, int32_t x,
                           int32_t y);
 
 /* How far the pen moves on the first line of a string, in units of the font. */

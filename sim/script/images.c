@@ -27,7 +27,7 @@ static void set_outlines(struct script_pen *pen, const int32_t *v)
 static void draw_outline_text(struct script_pen *pen, const int32_t *v)
 {
     const struct pel_point at = {v[0], v[1]};
-    const struct pel_outline_text text = {
+    const struct pel_outline_text_block text = {
         .font = pen->outlines,
         .string = pen->script->assets[v[4]].text,
         .transform = pel_outline_transform(pen->outlines, v[2], v[3], at),

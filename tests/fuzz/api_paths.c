@@ -103,11 +103,11 @@ static void any_text(struct api *a, const struct pel_surface *surface,
         .points = bytes,
         .pair = &pair};
     const uint32_t how = input_byte(&a->in);
-    struct pel_outline_text text = {.font = &font,
-                                    .string = string,
-                                    .align = (enum pel_text_align)(how % 3),
-                                    .tolerance =
-                                        how & 8 ? input_number(&a->in) : 0};
+    struct pel_outline_text_block text = {
+        .font = &font,
+        .string = string,
+        .align = (enum pel_text_align)(how % 3),
+        .tolerance = how & 8 ? input_number(&a->in) : 0};
     if (pel_outline_font_asset_check(&font) != PEL_OK)
         return;
     text.transform = pel_outline_transform(

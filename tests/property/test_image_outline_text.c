@@ -26,7 +26,7 @@ struct any_font {
     struct pel_outline_font_asset font;
     int32_t x, y; /* of the last point */
     char string[8];
-    struct pel_outline_text text;
+    struct pel_outline_text_block text;
 };
 
 static struct any_font any;
@@ -148,7 +148,7 @@ static void make_glyph(struct random *r, int i)
 
 static void print_text(const void *value)
 {
-    const struct pel_outline_text *const t = value;
+    const struct pel_outline_text_block *const t = value;
     const struct pel_transform *const m = &t->transform;
     printf("text \"%s\" align %d by %d %d %d %d at %d %d\n", any.string,
            (int)t->align, m->xx, m->xy, m->yx, m->yy, m->at.x, m->at.y);
@@ -184,7 +184,7 @@ static void make_text(struct random *r)
         .pair = any.pair};
     for (size_t i = 0; i + 1 < sizeof any.string; i++)
         any.string[i] = letters[random_word(r) % sizeof letters];
-    any.text = (struct pel_outline_text){
+    any.text = (struct pel_outline_text_block){
         .font = &any.font,
         .string = any.string,
         .transform = pel_outline_transform(
