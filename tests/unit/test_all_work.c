@@ -3,6 +3,7 @@
  * outside is done so often that a walk over the invisible would not end. */
 #define _DEFAULT_SOURCE /* alarm */
 #include <stdlib.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "core/outline/outline_filter.h"
@@ -275,6 +276,34 @@ static void count_runs(const struct pel_paint *paint,
 {
     (void)paint;
     hits.runs += (uint64_t)rows->n;
+}
+
+/* Of rings of 32,000 px a hundredth of a degree, every way: about 10 rows, not
+ * 64,000, which would take a minute. pel_dirty looks at no more. */
+TEST(narrow_angles)
+{
+    enum { RADIUS = 32000, MOST = 15 /* s of this process */ };
+    const struct pel_rect all = {-32767, -32767, 32767, 32767};
+    const struct pel_surface surface = {.bounds = all, .clip = all};
+    const struct pel_paint paint = PEL_PAINT(count_runs, NULL);
+    struct pel_dirty dirty;
+    pel_dirty_begin(&dirty, &paint);
+    const clock_t start = clock();
+    for (int32_t i = 0; i < (int32_t)cases_scaled(TIMES / 2); i++) {
+        const int32_t from = i * 8192 - (i & 1) - 1, to = from + 2;
+        const struct pel_arc_shape arc = {PEL_AT(0, 0), PEL_PX(RADIUS - 4),
+                                          PEL_PX(RADIUS), from, to};
+        const struct pel_sector_shape sector = {PEL_AT(0, 0), PEL_PX(RADIUS),
+                                                -1 + (i & 1) * 32768,
+                                                1 + (i & 1) * 32768};
+        hits.runs = 0;
+        pel_arc(&surface, &arc, &dirty.paint);
+        pel_sector(&surface, &sector, &dirty.paint);
+        if (hits.runs < 2 || hits.runs > 40)
+            fail_msg("%d runs from %d", (int)hits.runs, (int)from);
+        if (clock() - start > MOST * CLOCKS_PER_SEC)
+            fail_msg("%d narrow arcs take %d s", (int)i, MOST);
+    }
 }
 
 /* Rows of many runs, each three pixels with one between them: what is left of
