@@ -6,8 +6,7 @@
 #include "core/pel.h"
 
 /* What a shape outside of the clip may take on an M0+: so much, and for each of
- * its vertices. Where code is to be small a triangle is not told that it lies
- * beside the clip. */
+ * its vertices. */
 enum { OUTSIDE = 300, OUTSIDE_VERTEX = 15 };
 
 enum { SIDE = 220, VERTICES = 8 };
@@ -214,7 +213,7 @@ static bool outside_report(int i)
     char name[48];
     snprintf(name, sizeof name, "outside-%s", shapes[i].name);
     report(name, shapes[i].vertices, most, 1);
-    if (PEL_SMALL_CODE || most <= 8 * limit)
+    if (most <= 8 * limit)
         return true;
     printf("%s takes more than %d instructions\n", name, (int)limit);
     return false;

@@ -58,6 +58,21 @@ static void fill(const struct pel_surface *surface,
     }
 }
 
+/* In little code: false also when it lies left or right of the clip, by a pixel
+ * or more. */
+static inline bool in_sight(const struct pel_point v[3],
+                            const struct pel_rect *clip)
+{
+    int32_t left = -1, right = 0; /* below 0: all are, some vertex is not */
+    for (int i = 2; i >= 0; i--) {
+        if (!pel_point_legal(v[i]))
+            return false;
+        left &= (v[i].x >> 8) - clip->x0;
+        right |= (v[i].x >> 8) - clip->x1;
+    }
+    return left >= 0 && right < 0;
+}
+
 void pel_triangle(const struct pel_surface *surface,
                   const struct pel_point v[3], const struct pel_paint *paint)
 {
@@ -65,7 +80,7 @@ void pel_triangle(const struct pel_surface *surface,
     if (PEL_FAST_FILLS && pel_triangle_fast(surface, v, paint))
         return;
     PEL_ASSERT(pel_corners_legal(v));
-    if (!pel_corners_legal(v))
+    if (PEL_SMALL_CODE ? !in_sight(v, &surface->clip) : !pel_corners_legal(v))
         return;
     const struct pel_point *p[3] = {&v[0], &v[1], &v[2]};
     pel_sort_rows(p);

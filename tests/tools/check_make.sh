@@ -21,6 +21,11 @@ make -n BUILD="$work/none" check-linux 2>&1 </dev/null |
     grep -q 'rcs .*/libpel_linux\.a' ||
     fail "make check-linux does not make libpel_linux.a"
 
+# the linker's warnings are seen: of names that are defined twice, too
+grep -rnE --include=Makefile --include='*.mk' -e '-Wl,(--no-warn|-w\b)' \
+    Makefile core drivers port sim bench packaging page tests &&
+    fail "linker warnings are hidden, see above"
+
 # and the program links with -flto, however the compiler parts it
 odd="$work/it's a tree"
 mkdir "$odd"
