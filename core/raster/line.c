@@ -94,14 +94,14 @@ static void put_packed(const struct pixels *l, const struct pel_surface *s,
     const int bits = s->format->bits;
     const int32_t side = p->x1 < p->x0 ? -1 : 1;
     const int32_t x = p->x0 - s->bounds.x0, y = p->y0 - s->bounds.y0;
-    struct bits b = {s->pixels, 1u << (y & 7), l->pixel * 0xFF, 1, true,
+    const uint32_t ones = bits == 4 ? 0x11 : bits == 2 ? 0x55 : 0xFF;
+    struct bits b = {s->pixels, 1u << (y & 7), l->pixel * ones, 1, true,
                      s->stride, side};
     if (pages) {
         b.byte += (y >> 3) * (ptrdiff_t)s->stride + x;
     } else {
         b.byte += y * (ptrdiff_t)s->stride + (x * bits >> 3);
         b.mask = (0xFF00u >> bits & 0xFF) >> (x * bits & 7);
-        b.pixels = l->pixel * (bits == 4 ? 0x11 : bits == 2 ? 0x55 : 0xFF);
         b.up = side < 0;
         b.turn = b.up ? bits : 8 - bits;
         b.carry = side;
