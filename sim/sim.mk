@@ -58,7 +58,8 @@ $(BUILD)/sim/font/asset.o: sim/scenes/fixed_6x13.bdf
 .PHONY: demo FORCE
 demo: $(BUILD)/pel ## the gallery, with the time of each picture, in build/demo
 	$(BUILD)/pel demo $(BUILD)/demo $(sort $(wildcard sim/scenes/*.pel)) \
-	    $(shell sed -n 's,^\([a-z]*\) .*,docs/pictures/\1.png,p' docs/pictures/list.txt)
+	    $(shell sed -n 's,^\([a-z]*\) .*,docs/pictures/\1.png,p' docs/pictures/list.txt) \
+	    docs/PRODUCTS.md
 	@echo "the gallery: $(BUILD)/demo/index.html"
 
 -include $(SIM_OBJECTS:.o=.d)

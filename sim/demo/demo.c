@@ -21,7 +21,7 @@
 static const char about[] =
     "Draws the gallery into a directory: every demo and every script, as PPM "
     "and PNG (BMP without libpng), with index.html; and shows pictures that "
-    "are there already.\v"
+    "are there already, with what docs/PRODUCTS.md, a table, says of them.\v"
     "Prints the milliseconds that the drawing of each picture took, the best "
     "of three where it is less than 50.";
 
@@ -88,6 +88,7 @@ struct gallery {
     const char *directory;
     struct given *given;
     size_t count;
+    char *table; /* the text of a .md, what products take; or NULL */
 };
 
 bool demo_draw(struct demo_result *result, const struct demo_size *size,
@@ -209,8 +210,9 @@ static bool add_picture(const struct gallery *g, FILE *page,
     const uint8_t *head = (const uint8_t *)bytes;
     const bool done = copy_picture(g, given, head, size);
     if (done)
-        page_product(page, given->name, (int)bytes_big(head + 16, 4),
-                     (int)bytes_big(head + 20, 4));
+        page_product(page, &(struct page_product){
+                               given->name, (int)bytes_big(head + 16, 4),
+                               (int)bytes_big(head + 20, 4), g->table});
     free(bytes);
     return done;
 }
@@ -325,10 +327,18 @@ static struct given given_of(const char *path)
     return given;
 }
 
+static bool read_table(struct gallery *g, const char *path)
+{
+    size_t size;
+    free(g->table);
+    g->table = file_read(path, &size);
+    return g->table || file_refuse(path);
+}
+
 int command_demo(int argc, char **argv)
 {
     const struct command_line line = {.arguments =
-                                          "DIRECTORY [SCRIPT|PICTURE...]",
+                                          "DIRECTORY [SCRIPT|PICTURE|TABLE...]",
                                       .least = 1,
                                       .most = INT_MAX,
                                       .about = about};
@@ -343,11 +353,15 @@ int command_demo(int argc, char **argv)
         message_error("out of memory");
         return STATUS_ERROR;
     }
-    for (; *arguments; arguments++)
-        g.given[g.count++] = given_of(*arguments);
     bool done = true;
+    for (; done && *arguments; arguments++)
+        if (path_has_ending(*arguments, " .md "))
+            done = read_table(&g, *arguments);
+        else
+            g.given[g.count++] = given_of(*arguments);
     for (int i = 0; done && i < PAGES; i++)
         done = write_page(&g, i);
     free(g.given);
+    free(g.table);
     return done ? STATUS_OK : STATUS_ERROR;
 }

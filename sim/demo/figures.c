@@ -36,7 +36,8 @@ static const enum fill own = FILL_OWN, flat = FILL_FLAT, rings = FILL_RADIAL,
 
 const struct demo demo_figures[] = {
     {"figures",
-     "The figures of `pel view figures`, largest first, so that none hides a "
+     "The figures of <code>pel view figures</code>, largest first, so that "
+     "none hides a "
      "smaller one. They turn, and the user picks and changes them.",
      "pel view figures", draw_figures, &own},
     {"figures-flat", "The figures, each in one colour.", NULL, draw_figures,

@@ -287,7 +287,7 @@ const struct demo demo_meshes[] = {
      "The texture on every triangle, the nearest texel for each pixel. What "
      "that does to enlarged texels, the scenes textures and meshes show.",
      LOOK(TEXTURED, GOURAUD, NEAREST, AFFINE, UNLIT, 0, 0)},
-    {"texture-bilinear", "The same with the four texels around it mixed.",
+    {"texture-bilinear", "A texture: the four texels around a point, mixed.",
      LOOK(TEXTURED, GOURAUD, BILINEAR, AFFINE, UNLIT, 0, 0)},
     BOTH("", "three lights, all terms.", SCENE_ALL_TERMS, 0),
     BOTH("-ambient", "the ambient term.", SCENE_AMBIENT, 0),

@@ -19,13 +19,13 @@ static const struct page_section first[] = {
      "cover smooth strokes shapes circles polygons lines rules-top-left "
      "rules-bottom-left"},
     {"paints", "Paints", "Any paint on any shape, opaque or seen through.",
-     "gradients wheel dither glass textures figures figures-flat "
+     "gradients wheel dither glass blend textures figures figures-flat "
      "figures-corners figures-rings figures-sectors"},
     {"text", "Text, pictures, formats", "", "text scroll formats"},
     {"meshes", "3-D",
      "Flat, Gouraud, textures, Phong. <a href=\"lighting.html\">Light term by "
      "term</a> has a page of its own.",
-     "vase duck-gouraud texture-bilinear lighting-phong meshes"},
+     "vase texture-bilinear lighting-gouraud lighting-phong meshes"},
     {NULL, NULL, NULL, NULL},
 };
 
@@ -42,8 +42,8 @@ static const struct page_section second[] = {
      "lighting-phong-light3"},
     {"parts", "Texture and light apart", "",
      "lighting-texture-vertices lighting-texture-pixels "
-     "lighting-gouraud-plain lighting-phong-plain texture-flat duck-flat "
-     "texture-nearest"},
+     "lighting-gouraud-plain lighting-phong-plain duck-flat duck-gouraud "
+     "texture-flat texture-nearest"},
     {NULL, NULL, NULL, NULL},
 };
 
@@ -89,10 +89,11 @@ static const char head[] =
     "<meta name=\"viewport\" content=\"width=device-width\">\n"
     "<title>Pel: gallery</title>\n<style>\n"
     ":root { color-scheme: light dark; --back: #f5f6f8; --card: #fff; "
-    "--ink: #1c2027; --soft: #616a78; --line: #dfe3e9; --link: #0b62c4; }\n"
+    "--ink: #1c2027; --soft: #616a78; --line: #dfe3e9; --wall: #e9ecf1; "
+    "--link: #0b62c4; }\n"
     "@media (prefers-color-scheme: dark) { :root { --back: #14171c; "
     "--card: #1e232b; --ink: #e8ebf0; --soft: #9aa5b4; --line: #303742; "
-    "--link: #7db8ff; } }\n"
+    "--wall: #0f1216; --link: #7db8ff; } }\n"
     "* { box-sizing: border-box; }\n"
     "body { margin: 0; background: var(--back); color: var(--ink); "
     "font: 16px/1.5 system-ui, sans-serif; }\n"
@@ -110,22 +111,24 @@ static const char head[] =
     ".grid { display: grid; gap: 1rem; margin-top: 1rem; "
     "grid-template-columns: "
     "repeat(auto-fill, minmax(min(100%, 19rem), 1fr)); }\n"
-    "figure { margin: 0; background: var(--card); border-radius: 10px; "
-    "border: 1px solid var(--line); overflow: hidden; }\n"
-    "figure > a { display: block; background: var(--line); }\n"
-    "img { display: block; width: 100%; height: auto; max-height: 20rem; "
-    "object-fit: contain; }\n"
-    ".product { display: flex; flex-direction: column; height: 100%; }\n"
-    ".product > a { display: flex; align-items: center; height: 16rem; "
-    "padding: 1rem; background: #0b0d11; }\n"
-    ".product img { width: auto; max-width: 100%; max-height: 100%; "
-    "margin: auto; }\n"
-    "figcaption { padding: .8rem 1rem 1rem; font-size: .9rem; }\n"
-    "figcaption div, summary, pre { color: var(--soft); font-size: .8rem; "
-    "margin: .5rem 0 0; }\n"
+    "figure { margin: 0; background: var(--card); border-radius: 12px; "
+    "border: 1px solid var(--line); overflow: hidden; display: flex; "
+    "flex-direction: column; transition: border-color .15s; }\n"
+    "figure:hover { border-color: var(--link); }\n"
+    "figure > a { display: flex; height: 15rem; background: var(--wall); }\n"
+    "img { display: block; max-width: 100%; max-height: 100%; width: auto; "
+    "height: auto; margin: auto; }\n"
+    "figure.product > a { padding: 1rem; background: #0b0d11; }\n"
+    "figcaption { padding: .8rem 1rem 1rem; font-size: .9rem; flex: 1; "
+    "display: flex; flex-direction: column; }\n"
+    "figcaption p { margin: .1rem 0 .6rem; color: inherit; }\n"
+    "h3::first-letter { text-transform: uppercase; }\n"
+    ".how { margin-top: auto; color: var(--soft); font-size: .8rem; }\n"
+    "summary { cursor: pointer; }\n"
     "code, pre { font-family: ui-monospace, monospace; "
     "overflow-wrap: anywhere; }\n"
-    "pre { overflow: auto; max-height: 20rem; white-space: pre-wrap; }\n"
+    "pre { overflow: auto; max-height: 20rem; white-space: pre-wrap; "
+    "margin: .3rem 0 0; }\n"
     "footer { padding-bottom: 3rem; }\n"
     "</style>\n</head>\n<body>\n";
 
@@ -148,6 +151,15 @@ static void print_note(FILE *page, const char *text)
             fputs(marks++ % 2 ? "</code>" : "<code>", page);
         else
             print_escaped_character(page, *text);
+}
+
+/* A name of files as words. */
+static void print_title(FILE *page, const char *name)
+{
+    fputs("<h3>", page);
+    for (; *name; name++)
+        print_escaped_character(page, (char)(*name == '-' ? ' ' : *name));
+    fputs("</h3>", page);
 }
 
 void page_begin(FILE *page, int number)
@@ -218,6 +230,18 @@ static void print_command(FILE *page, const char *command)
     fputs(is_long ? "</pre></details>" : "</pre>", page);
 }
 
+/* A note that is too long for a card is shown when one wants to see it. */
+static void print_caption(FILE *page, const char *caption, const char *note,
+                          bool is_whole)
+{
+    const bool is_long = strlen(note) > 240 && !is_whole;
+    fprintf(page, "<p>%s ", caption);
+    if (is_long)
+        fputs("</p><details><summary>What is shown</summary><p>", page);
+    print_note(page, note);
+    fputs(is_long ? "</p></details>" : "</p>", page);
+}
+
 bool page_figure(FILE *page, const struct demo *demo,
                  const struct demo_result *result, const char *script)
 {
@@ -226,33 +250,55 @@ bool page_figure(FILE *page, const struct demo *demo,
     bool done = true;
     fputs("<figure>\n", page);
     print_picture(page, demo->name, picture_best_ending(), p->width, p->height);
-    fprintf(page, "<h3>%s</h3>%s ", demo->name, demo->caption);
-    if (strlen(result->note) > 240 && !script)
-        fputs("<details><summary>What is shown</summary>", page);
-    print_note(page, result->note);
-    if (strlen(result->note) > 240 && !script)
-        fputs("</details>", page);
+    print_title(page, demo->name);
+    print_caption(page, demo->caption, result->note, script != NULL);
     fprintf(page,
-            "<div>%d x %d pixels, %.3f ms, <a href=\"%s.ppm\">PPM</a></div>",
+            "<div class=\"how\">%d x %d pixels, %.3f ms, "
+            "<a href=\"%s.ppm\">PPM</a>",
             p->width, p->height, result->milliseconds, demo->name);
     if (script)
         done = print_script(page, script);
-    else if (command)
-        print_command(page, command);
-    fputs("</figcaption>\n</figure>\n", page);
+    else
+        print_command(page, command ? command : "pel demo FOLDER");
+    fputs("</div></figcaption>\n</figure>\n", page);
     return done;
 }
 
-void page_product(FILE *page, const char *name, int width, int height)
+/* What a row of docs/PRODUCTS.md says of an example: flash, RAM, instructions
+ * on a Cortex-M4. */
+static void print_figures(FILE *page, const char *table, const char *name)
+{
+    long cell[9];
+    char link[64];
+    snprintf(link, sizeof link, "(../examples/%s.c) |", name);
+    const char *at = table ? strstr(table, link) : NULL;
+    if (!at)
+        return;
+    at += strlen(link);
+    for (int i = 0; i < 9; i++) {
+        char *end;
+        cell[i] = strtol(at, &end, 10);
+        at = end + strspn(end, " |");
+    }
+    fprintf(page,
+            "On a Cortex-M4: %ld KB of flash, %ld KB of RAM and stack; "
+            "%ld thousand instructions for the first frame, %ld for a step",
+            (cell[1] + 512) / 1024, (cell[2] + cell[4] + 512) / 1024, cell[7],
+            cell[8]);
+}
+
+void page_product(FILE *page, const struct page_product *product)
 {
     const struct product *p = products;
-    while (p->name && strcmp(p->name, name) != 0)
+    while (p->name && strcmp(p->name, product->name) != 0)
         p++;
     fputs("<figure class=\"product\">\n", page);
-    print_picture(page, name, ".png", width, height);
-    fprintf(page, "<h3>%s</h3>%s", p->name ? p->title : name,
-            p->name ? p->caption : "");
-    if (p->name)
+    print_picture(page, product->name, ".png", product->width, product->height);
+    print_title(page, p->name ? p->title : product->name);
+    fprintf(page, "<p>%s</p><div class=\"how\">", p->name ? p->caption : "");
+    if (p->name) {
+        print_figures(page, product->table, p->name);
         fprintf(page, "<pre>%s</pre>", p->commands);
-    fputs("</figcaption>\n</figure>\n", page);
+    }
+    fputs("</div></figcaption>\n</figure>\n", page);
 }

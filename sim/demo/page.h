@@ -24,7 +24,13 @@ void page_end(FILE *page);
 bool page_figure(FILE *page, const struct demo *demo,
                  const struct demo_result *result, const char *script);
 
-/* A picture of a program of examples/. */
-void page_product(FILE *page, const char *name, int width, int height);
+/* A picture of a program of examples/, px, and the text of docs/PRODUCTS.md, or
+ * NULL. */
+struct page_product {
+    const char *name;
+    int width, height;
+    const char *table;
+};
+void page_product(FILE *page, const struct page_product *product);
 
 #endif

@@ -8,7 +8,7 @@ set -u
 odd="$work/<i>\"&.pel"
 printf 'canvas 9 8 xrgb8888\nclear #103050\n' >"$odd"
 PEL_MODELS=$work "$PEL" demo "$work/demo" "$odd" sim/scenes/meshes.pel \
-    docs/pictures/watch.png >"$work/out" || fail "no gallery"
+    docs/pictures/watch.png docs/PRODUCTS.md >"$work/out" || fail "no gallery"
 cat "$work/demo/index.html" "$work/demo/lighting.html" >"$work/pages"
 grep -q "<i>" "$work/pages" && fail "a name is HTML"
 cmp docs/pictures/watch.png "$work/demo/watch.png" || fail "another watch"
@@ -37,10 +37,24 @@ for name in $names; do
 done
 [ "$(grep ' ms$' "$work/out" | cut -d ' ' -f 1 | sort -u | wc -l)" = "$(echo "$names" | wc -w)" ] ||
     fail "other pictures: $(cat "$work/out")"
-[ "$(grep -c 'assimp-testmodels is missing' "$work/pages")" = 24 ] ||
+[ "$(grep -c 'assimp-testmodels is missing' "$work/pages")" = 25 ] ||
     fail "does not say what is missing"
-[ "$(grep -c 'texture is a generated board' "$work/pages")" = 22 ] ||
+[ "$(grep -c 'texture is a generated board' "$work/pages")" = 23 ] ||
     fail "does not say whose texture it is"
+
+# Every picture has what made it, and its time, or on a board its instructions.
+awk 'BEGIN { RS = "</figure>" }
+    /<figure/ && (!/(pel (run|render|view|demo)|make (board|device)) / ||
+        !/[0-9] (ms,|thousand instructions)/) { print; bad = 1 }
+    END { exit bad }' "$work/pages" || fail "no command or time: see above"
+row=$(grep 'examples/watch.c' docs/PRODUCTS.md | cut -d '|' -f 10,11 | tr -d ' ')
+grep -qF "${row%|*} thousand instructions for the first frame, ${row#*|} for a step" \
+    "$work/pages" || fail "other instructions of the watch than docs/PRODUCTS.md"
+printf 'no table' >"$work/other.md"
+"$PEL" demo "$work/other" docs/pictures/watch.png "$work/other.md" >"$work/out" ||
+    fail "a table of nothing"
+"$PEL" demo "$work/other" "$work/none.md" 2>"$work/err" && fail "no table is none"
+grep -q "none.md: cannot be read\|none.md" "$work/err" || fail "no word of none.md"
 
 # A command beside a picture draws it.
 "$PEL" demo "$work/full" >"$work/out" || fail "no gallery without a script"
@@ -63,5 +77,5 @@ for page in index lighting; do
 done
 if [ -e /usr/share/assimp/models/Collada/duck.dae ] &&
     ! grep -q 'Built without assimp' "$work/full/index.html"; then
-    [ $commands = 21 ] || fail "$commands commands of pel render, not 21"
+    [ $commands = 22 ] || fail "$commands commands of pel render, not 22"
 fi
