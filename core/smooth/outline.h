@@ -1,56 +1,88 @@
-/* Outlines of parts of circles and of lines, in windows of rows. */
+/* Outlines of parts of circles and of lines, which all round shapes are made
+ * of. An outline goes clockwise on screen: the shape lies right of the sides
+ * that it goes up, and left of those that it goes down. What lies between them
+ * in a pixel is a sum over the sides that cross its row. */
 #ifndef PEL_SMOOTH_OUTLINE_H
 #define PEL_SMOOTH_OUTLINE_H
 
-#include "window.h"
+#include "smooth.h"
+#include "strip.h"
 
 struct pel_smooth_place {
     int32_t x, y; /* 2^-16 px from a centre */
 };
 
-/* Part of a circle, clockwise on screen from one place to another through some
- * quadrants, of which 0 begins at +x. */
+/* Part of a circle, clockwise from one place to another through some quadrants,
+ * of which 0 begins at +x. */
 struct pel_smooth_bow {
     struct pel_point center;
     struct pel_smooth_place from, to;
     uint8_t first, count; /* quadrants */
+    bool whole;           /* a circle, without from and to */
     bool hole;            /* the outline goes backwards */
     struct pel_smooth_circle circle;
     int32_t row;   /* of what follows */
     int32_t at[2]; /* where the circle is at its ends */
 };
 
-/* Sets the rest of a bow, of which the first six members are set. */
+/* What an outline has in a row: a strip, in the picture that is mirrored if
+ * `left`. */
+struct pel_smooth_crossing {
+    struct pel_smooth_strip strip; /* but for what pel_smooth_strip_set sets */
+    int32_t center;
+    bool left, rising;
+};
+
+struct pel_smooth_outline {
+    struct pel_smooth smooth; /* first */
+    struct pel_rect seen;     /* px */
+    struct pel_point spread;  /* of a rounded rectangle's corners, 1/256 px */
+    struct pel_smooth_bow *bow;
+    uint8_t bows;
+    uint8_t others; /* sides of other kinds */
+    /* The ith of them in row y; false: there is none. */
+    bool (*other)(struct pel_smooth_outline *outline, int32_t y, int32_t i,
+                  struct pel_smooth_crossing *crossing);
+    bool inside;     /* no column is clipped away */
+    bool twins;      /* rows are painted with their images, .. */
+    int32_t image_y; /* .. to which their y adds up */
+};
+
+/* After it has got `spread` to `other`, and `twins`. False: nothing in the box
+ * of pixels can be seen. */
+bool pel_smooth_outline_begin(struct pel_smooth_outline *outline,
+                              const struct pel_surface *surface,
+                              const struct pel_rect *box,
+                              const struct pel_paint *paint);
+
+/* Sets what follows `hole`. */
 void pel_smooth_bow_set(struct pel_smooth_bow *bow, int32_t radius);
 
-/* Part of a line from one height to another, around a base. */
-struct pel_smooth_line {
-    struct pel_point base;
-    struct pel_smooth_place top, bottom;
-    int64_t step; /* px 2^-32 to the next row */
-    struct pel_rise rise;
-    bool left; /* the shape is right of it */
-};
+/* Paints what is to be seen. */
+void pel_smooth_outline_paint(struct pel_smooth_outline *outline);
 
-/* A line down from one place to another, 2^-16 px from a base. */
-struct pel_smooth_gap {
-    struct pel_point base;
-    int32_t x, from, to;
-};
+/* A side that is upright, from one height to another in 2^-16 px, which has the
+ * rest; false: none of it is in the row. */
+bool pel_smooth_upright(struct pel_smooth_crossing *crossing, int32_t y,
+                        int64_t from, int64_t to);
 
-/* Sets a line along `direction` from one place to another, in the outline's
- * direction: the shape lies on its right. */
-void pel_smooth_line_set(struct pel_smooth_line *line, struct pel_point base,
-                         struct pel_point direction,
-                         struct pel_smooth_place from,
-                         struct pel_smooth_place to);
+/* How many there may be, and the ith one in row y; false: there is none. */
+int32_t pel_smooth_crossings(const struct pel_smooth_outline *outline);
+bool pel_smooth_crossing_find(struct pel_smooth_outline *outline, int32_t y,
+                              int32_t i, struct pel_smooth_crossing *crossing);
 
-/* Adds to a window what lies right of it. */
-void pel_smooth_bow_add(struct pel_smooth_bow *bow,
-                        struct pel_smooth_window *window);
-void pel_smooth_line_add(const struct pel_smooth_line *line,
-                         struct pel_smooth_window *window);
-void pel_smooth_gap_add(const struct pel_smooth_gap *gap,
-                        struct pel_smooth_window *window);
+/* The columns that it crosses. */
+static inline struct pel_span pel_smooth_crossing_columns(
+    const struct pel_smooth_crossing *c)
+{
+    const struct pel_span right = pel_smooth_crossed(&c->strip, c->center);
+    const struct pel_span left = {-right.x1, -right.x0};
+    return c->left ? left : right;
+}
+
+/* Paints some rows from y on, above `end`, in which 2 or 4 sides cross whole
+ * rows apart from each other, and their images: how many. */
+int32_t pel_smooth_whole_rows(struct pel_smooth_outline *outline, int32_t y,
+                              int32_t end);
 
 #endif

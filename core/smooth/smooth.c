@@ -111,8 +111,9 @@ static void paint_part(const struct pel_smooth *smooth, int32_t x, int32_t y,
 }
 
 /* Without the pixels of 0 at both ends. */
-static void paint_run(const struct pel_smooth *smooth, int32_t x, int32_t y,
-                      int32_t n, const uint8_t *coverage)
+static PEL_NOINLINE_32 void paint_run(const struct pel_smooth *smooth,
+                                      int32_t x, int32_t y, int32_t n,
+                                      const uint8_t *coverage)
 {
     for (; n > 0 && coverage[n - 1] == 0; n--)
         ;
@@ -124,27 +125,22 @@ static void paint_run(const struct pel_smooth *smooth, int32_t x, int32_t y,
     }
 }
 
-static PEL_NOINLINE_32 void paint_colors(const struct pel_smooth *smooth,
-                                         const struct pel_smooth_runs *runs)
+static void paint_runs(const struct pel_smooth *smooth,
+                       const struct pel_smooth_runs *runs)
 {
+    const struct pel_flat *const flat = flat_of(smooth->paint);
     const uint8_t *coverage = runs->coverage;
     int32_t y = runs->y;
+    if (flat && pel_smooth_is_565(smooth->target)) {
+        pel_smooth_mix_565(smooth->target, runs, flat->color);
+        return;
+    }
     for (int32_t i = 0; i < 2 * runs->n; i++) {
         const int32_t n = runs->count[i];
         paint_run(smooth, runs->x[i] - (i & 1 ? 0 : n), y, n, coverage);
         coverage += n;
         y += i & 1 ? runs->step : 0;
     }
-}
-
-static PEL_ALWAYS_INLINE void paint_runs(const struct pel_smooth *smooth,
-                                         const struct pel_smooth_runs *runs)
-{
-    const struct pel_flat *const flat = flat_of(smooth->paint);
-    if (flat && pel_smooth_is_565(smooth->target))
-        pel_smooth_mix_565(smooth->target, runs, flat->color);
-    else
-        paint_colors(smooth, runs);
 }
 
 static bool has_pixels(const struct pel_span *span, int32_t n)
@@ -166,9 +162,9 @@ static PEL_NOINLINE_32 void paint_full(const struct pel_smooth *smooth,
         smooth->paint->fill(smooth->paint, &spans);
 }
 
-static PEL_NOINLINE_32 void paint_bytes(const struct pel_smooth *smooth,
-                                        const struct pel_smooth_batch *b,
-                                        int32_t y, int32_t step)
+static void paint_bytes(const struct pel_smooth *smooth,
+                        const struct pel_smooth_batch *b, int32_t y,
+                        int32_t step)
 {
     const struct pel_smooth_runs runs = {y,       step,     b->n,
                                          b->at.x, b->count, b->coverage};
@@ -182,6 +178,7 @@ void pel_smooth_paint_batch(const struct pel_smooth *smooth,
     paint_bytes(smooth, b, b->y, 1);
 }
 
+#if !PEL_SMOOTH_TINY
 static void turn_over(struct pel_span *span, int32_t n)
 {
     for (int32_t i = 0; i < --n; i++) {
@@ -199,6 +196,7 @@ void pel_smooth_paint_upwards(const struct pel_smooth *smooth,
     turn_over(b->at.full, b->n);
     paint_bytes(smooth, b, y, -1);
 }
+#endif
 
 void pel_smooth_paint(const struct pel_smooth *smooth,
                       const struct pel_smooth_row *row)
@@ -210,44 +208,6 @@ void pel_smooth_paint(const struct pel_smooth *smooth,
                                          &span.x0, count, row->coverage};
     paint_full(smooth, row->y, 1, &span);
     paint_runs(smooth, &runs);
-}
-
-/* Takes up to `skip` pixels away: how many. */
-static int32_t skip_pixels(int32_t *n, int32_t skip)
-{
-    skip = pel_max(pel_min(*n, skip), 0);
-    *n -= skip;
-    return skip;
-}
-
-static void cut_right(struct pel_smooth_row *r, int32_t end)
-{
-    int32_t skip = r->x + r->left + r->full + r->right - end;
-    skip -= skip_pixels(&r->right, skip);
-    skip -= skip_pixels(&r->full, skip);
-    skip_pixels(&r->left, skip);
-}
-
-static void cut_left(struct pel_smooth_row *r, int32_t begin)
-{
-    int32_t skip = pel_max(begin - r->x, 0);
-    r->x += skip;
-    const int32_t left = skip_pixels(&r->left, skip);
-    skip -= left;
-    skip -= skip_pixels(&r->full, skip);
-    r->coverage += left + skip_pixels(&r->right, skip);
-}
-
-void pel_smooth_paint_clipped(const struct pel_smooth *smooth,
-                              const struct pel_smooth_row *row,
-                              const struct pel_rect *clip)
-{
-    struct pel_smooth_row r = *row;
-    if (r.y < clip->y0 || r.y >= clip->y1)
-        return;
-    cut_right(&r, clip->x1);
-    cut_left(&r, clip->x0);
-    pel_smooth_paint(smooth, &r);
 }
 
 void pel_smooth_clip_batch(struct pel_smooth_batch *b,

@@ -40,11 +40,18 @@ struct pel_smooth_row {
     const uint8_t *coverage;   /* of the left ones, then the right ones */
 };
 
+/* Where flash is scarce there is one way for all rows, which is slower. */
+#if PEL_SMALL_CODE || defined(__OPTIMIZE_SIZE__)
+#define PEL_SMOOTH_TINY 1
+#else
+#define PEL_SMOOTH_TINY 0
+#endif
+
 /* The room of a batch: rows, and bytes of coverage. */
-#if PEL_64BIT
-enum { PEL_SMOOTH_BATCH_ROWS = 16, PEL_SMOOTH_BATCH_BYTES = 128 };
-#elif PEL_SMALL_CODE
+#if PEL_SMOOTH_TINY
 enum { PEL_SMOOTH_BATCH_ROWS = 1, PEL_SMOOTH_BATCH_BYTES = 16 };
+#elif PEL_64BIT
+enum { PEL_SMOOTH_BATCH_ROWS = 16, PEL_SMOOTH_BATCH_BYTES = 128 };
 #else
 enum { PEL_SMOOTH_BATCH_ROWS = 8, PEL_SMOOTH_BATCH_BYTES = 40 };
 #endif
@@ -101,11 +108,6 @@ bool pel_smooth_begin(struct pel_smooth *smooth,
  * after the call. No pixel may be painted twice. */
 void pel_smooth_paint(const struct pel_smooth *smooth,
                       const struct pel_smooth_row *row);
-
-/* The same of what is inside a clip, which is inside that of the surface. */
-void pel_smooth_paint_clipped(const struct pel_smooth *smooth,
-                              const struct pel_smooth_row *row,
-                              const struct pel_rect *clip);
 
 /* Paints rows, which lie inside the clip, or those of them that
  * pel_smooth_clip_batch leaves: what is inside its columns. */

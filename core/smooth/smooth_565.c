@@ -7,14 +7,6 @@ struct ink {
     uint32_t red_blue, green, alpha;
 };
 
-/* Loops of their own for opaque colors and for each order of bytes, but where
- * code is to be small. */
-#ifdef __OPTIMIZE_SIZE__
-enum { FAST = 0 };
-#else
-enum { FAST = 1 };
-#endif
-
 /* Red and blue in one word, of 16 bits each: products of both at once. Per
  * channel 255 times the mix, rounded as pel_round_div255 does. */
 static PEL_ALWAYS_INLINE uint32_t mixed(uint32_t below, uint32_t weight,
@@ -101,7 +93,7 @@ void pel_smooth_mix_565(const struct pel_surface *s,
     const bool big = s->format->id == PEL_FORMAT_RGB565_BE;
     const struct ink ink = ink_of(color, s->format);
     const struct ink opaque = {ink.red_blue, ink.green, 255};
-    if (!FAST || ink.alpha != 255)
+    if (ink.alpha != 255)
         mix_runs(s, runs, ink, big);
     else if (big)
         mix_rows(s, runs, opaque, true);

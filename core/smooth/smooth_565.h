@@ -16,7 +16,7 @@ struct pel_smooth_runs {
 /* Where code is to be small these formats have no function of their own. */
 static inline bool pel_smooth_is_565(const struct pel_surface *surface)
 {
-    return !PEL_SMALL_CODE && surface->format &&
+    return !PEL_SMOOTH_TINY && surface->format &&
            surface->format->id <= PEL_FORMAT_BGR565_LE;
 }
 

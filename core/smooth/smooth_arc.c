@@ -2,284 +2,155 @@
 
 #include "../base/trig.h"
 #include "../round/angle_range.h"
-#include "arc_ends.h"
-#include "ring_rows.h"
-#include "smooth_ring.h"
+#include "line_side.h"
+#include "round.h"
 
-/* The ring's rows, and what they lack of an arc. */
-struct body {
-    struct pel_smooth_ring_walk ring; /* first */
-    struct pel_smooth_ends ends;
-};
-
-/* What a batch touches, from row y on, or up to it. */
-static struct pel_rect part_of(const struct pel_smooth_batch *b, int32_t y,
-                               int32_t step)
+/* A point on the ray of a direction, 2^-16 px from the centre. The length of d
+ * is 2^15 (1 + e / 2), |e| < 2^-14: products are below 2^23 2^15, then 2^31
+ * 2^17. */
+static PEL_NOINLINE struct pel_smooth_place place_at(uint16_t angle,
+                                                     int32_t radius)
 {
-    struct pel_rect part = {INT32_MAX, y, INT32_MIN, y + b->n};
-    for (int32_t i = 0; i < b->n; i++) {
-        const struct pel_span *const full = &b->at.full[i];
-        part.x0 = pel_min(part.x0, full->x0 - b->count[2 * i]);
-        part.x1 = pel_max(part.x1, full->x1 + b->count[2 * i + 1]);
-    }
-    if (step < 0) {
-        part.y0 = y - b->n + 1;
-        part.y1 = y + 1;
-    }
-    return part;
+    const struct pel_point d = pel_direction(angle);
+    const int32_t e = d.x * d.x + d.y * d.y - (1 << 30); /* 2^-30 */
+    const int64_t x = pel_product(d.x, radius) >> 7;
+    const int64_t y = pel_product(d.y, radius) >> 7;
+    return (struct pel_smooth_place){
+        (int32_t)(x - (pel_long_product((int32_t)x, e) >> 31)),
+        (int32_t)(y - (pel_long_product((int32_t)y, e) >> 31))};
 }
 
-static PEL_NOINLINE void paint_near(const struct body *body, int32_t y,
-                                    int32_t step)
-{
-    const struct pel_smooth_batch *const b = &body->ring.rows.batch;
-    const uint8_t *coverage = b->coverage;
-    for (int32_t i = 0; i < b->n; i++) {
-        const struct pel_span *const full = &b->at.full[i];
-        const uint8_t *const count = b->count + 2 * i;
-        const struct pel_smooth_row row = {y + i * step, full->x0 - count[0],
-                                           count[0],     full->x1 - full->x0,
-                                           count[1],     coverage};
-        pel_smooth_ends_paint(&body->ends, &body->ring.rows.smooth, &row);
-        coverage += count[0] + count[1];
-    }
-}
-
-/* The batch from row y on, up or down. */
-static void paint_rows(struct body *body, int32_t y, int32_t step)
-{
-    struct pel_smooth_rows *const rows = &body->ring.rows;
-    const struct pel_rect part = part_of(&rows->batch, y, step);
-    const enum pel_smooth_share share =
-        pel_smooth_ends_share(&body->ends, &part);
-    if (share == PEL_SMOOTH_NEAR)
-        paint_near(body, y, step);
-    else if (share == PEL_SMOOTH_ALL && step > 0)
-        pel_smooth_paint_batch(&rows->smooth, &rows->batch);
-    else if (share == PEL_SMOOTH_ALL)
-        pel_smooth_paint_upwards(&rows->smooth, &rows->batch, y);
-}
-
-static void paint_batch(struct body *body)
-{
-    struct pel_smooth_rows *const rows = &body->ring.rows;
-    const int32_t y = rows->batch.y, n = rows->batch.n;
-    paint_rows(body, y, 1);
-    rows->batch.n -= pel_smooth_is_own_image(rows);
-    if (!PEL_SMALL_CODE && rows->twins)
-        paint_rows(body, rows->image_y - y, -1);
-    rows->batch.n = n;
-}
-
-/* The rows of less than half of a ring are those of a box around it. */
-static PEL_NOINLINE void paint_body(const struct pel_surface *surface,
-                                    const struct pel_arc_shape *arc,
-                                    const struct pel_rect *box, bool round,
-                                    const struct pel_paint *paint)
-{
-    const struct pel_ring_shape ring = {arc->center, arc->inner, arc->outer};
-    struct pel_surface part = *surface;
-    struct body body;
-    if ((uint16_t)((uint16_t)arc->to - (uint16_t)arc->from) < 32768)
-        part.clip = *box;
-    if (!pel_smooth_ring_begin(&body.ring, &part, &ring, paint))
-        return;
-    pel_smooth_ends_set(&body.ends, arc, round);
-    while (pel_smooth_ring_next(&body.ring))
-        paint_batch(&body);
-}
-
-/* What is painted near the ends. */
-struct tips {
-    struct pel_smooth smooth;
-    struct pel_smooth_ends ends;
-    int bows, lines, gaps;
-    struct pel_smooth_bow bow[4];
-    union {
-        struct pel_smooth_line line[2];
-        struct pel_smooth_gap gap[4];
-    } at; /* cut ends, or round ones */
-};
-
-/* An end of an arc: at its beginning the outline goes outwards. */
-struct end {
-    const struct pel_arc_shape *arc;
-    uint16_t angle;
-    bool begins;
-};
-
-/* Where the outline comes to an end from its circle, or goes on. */
-static struct pel_smooth_place place_of(const struct end *end, bool comes)
-{
-    const struct pel_arc_shape *const arc = end->arc;
-    const int32_t radius = end->begins == comes ? arc->inner : arc->outer;
-    return pel_smooth_place_at(pel_direction(end->angle), radius);
-}
-
-static void add_line(struct tips *tips, const struct end *end)
-{
-    const struct pel_smooth_place from = place_of(end, true);
-    const struct pel_smooth_place to = place_of(end, false);
-    if (from.y != to.y)
-        pel_smooth_line_set(&tips->at.line[tips->lines++], end->arc->center,
-                            pel_direction(end->angle), from, to);
-}
-
-/* Closes what rounding leaves open between the heights of two places. */
-static void add_gap(struct tips *tips, struct pel_point at, int32_t x,
-                    int32_t from, int32_t to)
-{
-    if (from != to)
-        tips->at.gap[tips->gaps++] = (struct pel_smooth_gap){at, x, from, to};
-}
-
-static void add_bow(struct tips *tips, const struct pel_smooth_bow *bow,
-                    int32_t radius)
-{
-    if (radius == 0)
-        return;
-    tips->bow[tips->bows] = *bow;
-    pel_smooth_bow_set(&tips->bow[tips->bows++], radius);
-}
-
-static void add_half(struct tips *tips, const struct end *end)
-{
-    const struct pel_arc_shape *const arc = end->arc;
-    const int32_t radius = (arc->outer - arc->inner) >> 1;
-    const struct pel_point at = pel_smooth_end_center(arc, end->angle);
-    const int32_t up = (arc->center.y - at.y) * 256;
-    const uint16_t angle = (uint16_t)(end->angle + (end->begins ? 32768 : 0));
-    const struct pel_smooth_place p =
-        pel_smooth_place_at(pel_direction(angle), radius);
-    const struct pel_smooth_bow bow = {.center = at,
-                                       .from = p,
-                                       .to = {-p.x, -p.y},
-                                       .first = (uint8_t)(angle >> 14),
-                                       .count = 3};
-    add_gap(tips, at, p.x, place_of(end, true).y + up, p.y);
-    add_bow(tips, &bow, radius);
-    add_gap(tips, at, -p.x, -p.y, place_of(end, false).y + up);
-}
-
-static void add_end(struct tips *tips, const struct end *end, bool round)
-{
-    if (round)
-        add_half(tips, end);
-    else
-        add_line(tips, end);
-}
-
-/* Once through a quadrant, or back to it. */
-static uint8_t quadrants_of(struct pel_angles a)
+/* The bow of a circle between two angles. Once through a quadrant, or back to
+ * it. */
+static PEL_NOINLINE void set_bow(struct pel_smooth_bow *b,
+                                 struct pel_point center, struct pel_angles a,
+                                 int32_t radius)
 {
     const int32_t steps = ((a.to >> 14) - (a.from >> 14)) & 3;
     const bool back = (uint16_t)(a.to - a.from) > 16384;
-    return (uint8_t)(steps == 0 && back ? 5 : steps + 1);
+    b->center = center;
+    b->from = place_at(a.from, radius);
+    b->to = place_at(a.to, radius);
+    b->first = (uint8_t)(a.from >> 14);
+    b->count = (uint8_t)(steps == 0 && back ? 5 : steps + 1);
+    b->whole = b->hole = false;
+    pel_smooth_bow_set(b, radius);
 }
 
-static void add_circle(struct tips *tips, struct pel_point center,
-                       struct pel_angles angles, int32_t radius, bool hole)
+/* The outline: both circles, with an end behind the first one and the second.
+ */
+struct tour {
+    struct pel_smooth_lines lines; /* first: cut ends */
+    struct pel_smooth_bow bow[4];
+};
+
+static void set_half(struct pel_smooth_bow *b, const struct pel_arc_shape *arc,
+                     uint16_t angle, uint16_t turn)
 {
-    const struct pel_smooth_bow bow = {
-        .center = center,
-        .from = pel_smooth_place_at(pel_direction(angles.from), radius),
-        .to = pel_smooth_place_at(pel_direction(angles.to), radius),
-        .first = (uint8_t)(angles.from >> 14),
-        .count = quadrants_of(angles),
-        .hole = hole};
-    add_bow(tips, &bow, radius);
+    const struct pel_smooth_place m =
+        place_at(angle, (arc->inner + arc->outer) >> 1);
+    const struct pel_point at = {arc->center.x + ((m.x + 128) >> 8),
+                                 arc->center.y + ((m.y + 128) >> 8)};
+    const struct pel_angles angles = {(uint16_t)(angle + turn),
+                                      (uint16_t)(angle + turn + 32768)};
+    set_bow(b, at, angles, (arc->outer - arc->inner) >> 1);
 }
 
-static PEL_NOINLINE void find_tips(struct tips *tips,
-                                   const struct pel_arc_shape *arc, bool round)
+/* What rounding leaves open between bow k and the next one, of which those of 1
+ * and 3 say where. */
+static bool find_joint(struct pel_smooth_outline *o, int32_t y, int32_t k,
+                       struct pel_smooth_crossing *c)
 {
-    const struct pel_angles angles = {(uint16_t)arc->from, (uint16_t)arc->to};
-    const struct end begin = {arc, angles.from, true};
-    const struct end end = {arc, angles.to, false};
-    tips->bows = tips->lines = tips->gaps = 0;
-    pel_smooth_ends_set(&tips->ends, arc, round);
-    add_circle(tips, arc->center, angles, arc->outer, false);
-    add_circle(tips, arc->center, angles, arc->inner, true);
-    add_end(tips, &begin, round);
-    add_end(tips, &end, round);
+    const struct pel_smooth_bow *const a = &o->bow[k];
+    const struct pel_smooth_bow *const b = &o->bow[(k + 1) & 3];
+    const struct pel_smooth_place *const end = a->hole ? &a->from : &a->to;
+    const struct pel_smooth_place *const next = b->hole ? &b->to : &b->from;
+    const int64_t from = (int64_t)a->center.y * 256 + end->y;
+    const int64_t to = (int64_t)b->center.y * 256 + next->y;
+    c->center = k & 1 ? a->center.x : b->center.x;
+    c->strip.at_near = c->strip.at_far = k & 1 ? end->x : next->x;
+    c->left = false;
+    c->rising = to < from;
+    return pel_smooth_upright(c, y, c->rising ? to : from,
+                              c->rising ? from : to);
 }
 
-/* From x on: up to where. */
-static PEL_NOINLINE int32_t paint_window(struct tips *tips, int32_t y,
-                                         int32_t x, int32_t end)
+static void set_cut(struct tour *t, struct pel_point center, uint16_t angle,
+                    const struct pel_smooth_place end[2])
 {
-    struct pel_smooth_window window;
-    pel_smooth_window_begin(&window, y, x, end);
-    for (int i = 0; i < tips->bows; i++)
-        pel_smooth_bow_add(&tips->bow[i], &window);
-    for (int i = 0; i < tips->lines; i++)
-        pel_smooth_line_add(&tips->at.line[i], &window);
-    for (int i = 0; i < tips->gaps; i++)
-        pel_smooth_gap_add(&tips->at.gap[i], &window);
-    pel_smooth_window_paint(&window, &tips->smooth);
-    return window.next;
+    pel_smooth_lines_add(&t->lines, pel_direction(angle),
+                         pel_smooth_far_place_at(center, end[0]),
+                         pel_smooth_far_place_at(center, end[1]));
 }
 
-static void paint_columns(struct tips *tips, int32_t y,
-                          const struct pel_span *columns)
+static PEL_NOINLINE void set_tour(struct tour *t,
+                                  const struct pel_arc_shape *arc,
+                                  struct pel_angles angles, bool round)
 {
-    const struct pel_rect *const clip = &tips->smooth.target->clip;
-    const int32_t end = pel_min(columns->x1, clip->x1);
-    int32_t x = pel_max(columns->x0, clip->x0);
-    while (x < end)
-        x = paint_window(tips, y, x, end);
-}
-
-/* No column twice where both ends are near. */
-static void paint_row(struct tips *tips, int32_t y)
-{
-    struct pel_span a, b;
-    const bool first = pel_smooth_end_columns(&tips->ends, 0, y, &a);
-    if (pel_smooth_end_columns(&tips->ends, 1, y, &b)) {
-        if (first && a.x0 < b.x1 && b.x0 < a.x1) {
-            a.x0 = pel_min(a.x0, b.x0);
-            a.x1 = pel_max(a.x1, b.x1);
-        } else {
-            paint_columns(tips, y, &b);
-        }
+    struct pel_smooth_outline *const o = &t->lines.outline;
+    struct pel_smooth_bow *const outer = t->bow;
+    struct pel_smooth_bow *const inner = outer + (round ? 2 : 1);
+    o->bow = outer;
+    o->bows = round ? 4 : 2;
+    o->others = round ? 4 : 0;
+    o->other = find_joint;
+    o->twins = false;
+    o->spread = (struct pel_point){0, 0};
+    set_bow(outer, arc->center, angles, arc->outer);
+    set_bow(inner, arc->center, angles, arc->inner);
+    inner->hole = true;
+    if (round) {
+        set_half(outer + 1, arc, angles.to, 0);
+        set_half(outer + 3, arc, angles.from, 32768);
+    } else {
+        const struct pel_smooth_place in[2] = {outer->to, inner->to};
+        const struct pel_smooth_place out[2] = {inner->from, outer->from};
+        set_cut(t, arc->center, angles.to, in);
+        set_cut(t, arc->center, angles.from, out);
     }
-    if (first)
-        paint_columns(tips, y, &a);
 }
 
-static PEL_NOINLINE void paint_tips(const struct pel_surface *surface,
-                                    const struct pel_arc_shape *arc, bool round,
+static void widen(struct pel_rect *box, int32_t x, int32_t y)
+{
+    box->x0 = pel_min(box->x0, x);
+    box->y0 = pel_min(box->y0, y);
+    box->x1 = pel_max(box->x1, x);
+    box->y1 = pel_max(box->y1, y);
+}
+
+/* Pixels around a bow: its ends, and the axes that it passes. */
+static void add_box(struct pel_rect *box, const struct pel_smooth_bow *b)
+{
+    const struct pel_point c = b->center;
+    const int32_t r = b->circle.radius;
+    for (int32_t k = b->first + 1; k < b->first + b->count; k++) {
+        const int32_t way = k & 2 ? -r : r;
+        widen(box, c.x + (k & 1 ? 0 : way), c.y + (k & 1 ? way : 0));
+    }
+    widen(box, c.x + (b->from.x >> 8), c.y + (b->from.y >> 8));
+    widen(box, c.x + (b->to.x >> 8), c.y + (b->to.y >> 8));
+}
+
+static struct pel_rect box_of(const struct pel_smooth_outline *o)
+{
+    struct pel_rect box = {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
+    for (int i = 0; i < o->bows; i++)
+        add_box(&box, &o->bow[i]);
+    return (struct pel_rect){pel_pixel_of(box.x0 - 1), pel_pixel_of(box.y0 - 1),
+                             pel_pixel_of(box.x1 + 1) + 1,
+                             pel_pixel_of(box.y1 + 1) + 1};
+}
+
+static PEL_NOINLINE void paint_tour(const struct pel_surface *surface,
+                                    const struct pel_arc_shape *arc,
+                                    struct pel_angles angles, bool round,
                                     const struct pel_paint *paint)
 {
-    struct tips tips;
-    if (!pel_smooth_begin(&tips.smooth, surface, paint))
-        return;
-    find_tips(&tips, arc, round);
-    const struct pel_rect *const a = &tips.ends.end[0].box;
-    const struct pel_rect *const b = &tips.ends.end[1].box;
-    const int32_t end = pel_min(pel_max(a->y1, b->y1), surface->clip.y1);
-    int32_t y = pel_max(pel_min(a->y0, b->y0), surface->clip.y0);
-    for (; y < end; y++)
-        paint_row(&tips, y);
-}
-
-static bool is_legal(const struct pel_arc_shape *arc)
-{
-    return pel_point_legal(arc->center) && pel_radius_legal(arc->inner) &&
-           pel_radius_legal(arc->outer);
-}
-
-/* The pixels of the clip that the arc may touch; false: none, or no angle. A
- * half disc reaches half of the arc's width beyond its ray, and coverage a
- * pixel further than the centres that a shape covers. */
-static PEL_NOINLINE bool find_box(const struct pel_surface *surface,
-                                  const struct pel_arc_shape *arc, bool round,
-                                  struct pel_rect *box)
-{
-    struct pel_angle_range range;
-    const int32_t beyond = round ? (arc->outer - arc->inner) >> 9 : 0;
-    *box = surface->clip;
-    return pel_angle_range_start(&range, arc, box, beyond + 2, box->y0);
+    struct tour t;
+    set_tour(&t, arc, angles, round);
+    const struct pel_rect box = box_of(&t.lines.outline);
+    if (pel_smooth_outline_begin(&t.lines.outline, surface, &box, paint))
+        pel_smooth_outline_paint(&t.lines.outline);
 }
 
 static void paint_arc(const struct pel_surface *surface,
@@ -287,23 +158,22 @@ static void paint_arc(const struct pel_surface *surface,
                       const struct pel_paint *paint)
 {
     struct pel_angles angles;
-    struct pel_rect box;
-    const bool legal = is_legal(arc);
+    const bool legal = pel_point_legal(arc->center) &&
+                       pel_radius_legal(arc->inner) &&
+                       pel_radius_legal(arc->outer);
+    const struct pel_smooth_round ring = {arc->center, {0, 0}, arc->inner,
+                                          arc->outer,  NULL,   NULL};
     PEL_ASSERT(legal);
     PEL_HINT(pel_in_subpixels(&arc->center, 1, arc->outer));
     if (!legal || arc->outer <= arc->inner ||
-        !pel_angles_set(&angles, arc->from, arc->to) ||
-        !find_box(surface, arc, round, &box))
+        !pel_angles_set(&angles, arc->from, arc->to))
         return;
-    if (angles.from == angles.to) {
-        const struct pel_ring_shape ring = {arc->center, arc->inner,
-                                            arc->outer};
-        pel_smooth_ring(surface, &ring, paint);
-        return;
-    }
-    paint_body(surface, arc, &box, round, paint);
-    paint_tips(surface, arc, round, paint);
+    if (angles.from == angles.to)
+        pel_smooth_round(surface, &ring, paint);
+    else
+        paint_tour(surface, arc, angles, round, paint);
 }
+
 void pel_smooth_arc(const struct pel_surface *surface,
                     const struct pel_arc_shape *arc,
                     const struct pel_paint *paint)

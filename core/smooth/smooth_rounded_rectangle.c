@@ -1,6 +1,22 @@
 #include "smooth_rounded_rectangle.h"
 
-#include "round_rows.h"
+#include "round.h"
+
+/* The left side between two quarters, and the right one. */
+static bool find_wall(struct pel_smooth_outline *o, int32_t y, int32_t i,
+                      struct pel_smooth_crossing *c)
+{
+    const struct pel_smooth_bow *const b = o->bow;
+    const int32_t from = pel_max(b->center.y, y * 256);
+    const int32_t to = pel_min(b->center.y + o->spread.y, y * 256 + 256);
+    c->left = c->rising = i == 0;
+    c->center = i == 0 ? -b->center.x : b->center.x + o->spread.x;
+    c->strip.circle = NULL;
+    c->strip.near = 0;
+    c->strip.far = (to - from) * 256;
+    c->strip.at_near = c->strip.at_far = b->circle.radius * 256;
+    return from < to;
+}
 
 void pel_smooth_rounded_rectangle(const struct pel_surface *surface,
                                   const struct pel_rounded_shape *rectangle,
@@ -9,7 +25,6 @@ void pel_smooth_rounded_rectangle(const struct pel_surface *surface,
     const struct pel_point from = rectangle->from, to = rectangle->to;
     const bool legal = pel_point_legal(from) && pel_point_legal(to) &&
                        pel_radius_legal(rectangle->radius);
-    struct pel_smooth_rows rows;
     PEL_ASSERT(legal);
     PEL_HINT(pel_in_subpixels((struct pel_point[2]){from, to}, 2,
                               rectangle->radius));
@@ -17,8 +32,12 @@ void pel_smooth_rounded_rectangle(const struct pel_surface *surface,
         return;
     const int32_t side = pel_min(to.x - from.x, to.y - from.y);
     const int32_t radius = pel_min(rectangle->radius, side / 2);
-    rows.round = (struct pel_smooth_round){
-        from.x + radius, to.x - radius, from.y + radius, to.y - radius, radius};
-    if (pel_smooth_rows_begin(&rows, surface, paint))
-        pel_smooth_rows_all(&rows);
+    const struct pel_smooth_round round = {
+        {from.x + radius, from.y + radius},
+        {to.x - from.x - 2 * radius, to.y - from.y - 2 * radius},
+        0,
+        radius,
+        NULL,
+        find_wall};
+    pel_smooth_round(surface, &round, paint);
 }

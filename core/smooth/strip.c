@@ -1,4 +1,8 @@
-#include "disc_side.h"
+#include "strip.h"
+
+#include "../base/divide.h"
+
+#include <stddef.h>
 
 /* Bigger radii have one bulge for a strip. */
 enum { SMALL = 40 * 256 };
@@ -39,81 +43,95 @@ static uint32_t square_at(const struct pel_smooth_circle *c, int32_t distance,
     return (uint32_t)n;
 }
 
-int32_t pel_smooth_arc_at(const struct pel_smooth_circle *c, int32_t distance)
+int32_t pel_smooth_arc_at(const struct pel_smooth_circle *c, int32_t distance,
+                          bool down)
 {
+    if (c->oval)
+        return c->oval->at(c->oval, distance, down);
     const uint32_t r = (uint32_t)c->radius, d = (uint32_t)distance;
-    int32_t down = -c->shift; /* 0 from 256 px on */
+    int32_t shift = -c->shift; /* 0 from 256 px on */
     if (distance >= c->radius || -distance >= c->radius)
         return 0;
     uint32_t n = r < 65536 ? (r * r - d * d) << 2 * c->shift
-                           : square_at(c, distance, &down);
+                           : square_at(c, distance, &shift);
     for (; n < UINT32_C(1) << 30; n <<= 2)
-        down--;
+        shift--;
     const uint32_t root = root_of(n);
-    return (int32_t)(down < 2 ? root >> (2 - down) : root << (down - 2));
+    return (int32_t)(shift < 2 ? root >> (2 - shift) : root << (shift - 2));
 }
 
 void pel_smooth_circle_set(struct pel_smooth_circle *c, int32_t radius)
 {
     const uint32_t r = (uint32_t)pel_max(radius, 1);
     c->radius = radius;
+    c->oval = NULL;
     c->shift = 0;
     if (r < 65536)
         while (r * r << 2 * c->shift < UINT32_C(1) << 30)
             c->shift++;
-    if (radius < SMALL) {
-        c->inverse = (UINT32_C(1) << 20) / r;
-        c->bulge = UINT32_C(2796203) / r; /* 2^25 / 12 */
-    } else {
-        c->inverse = (UINT32_C(1) << 28) / r;
-        c->bulge = c->inverse / 12;
-    }
+    c->inverse =
+        pel_divide(radius < SMALL ? UINT32_C(1) << 20 : UINT32_C(1) << 28, r);
+}
+
+/* The step is taken with 16 bits, and the rise with as many. A line that moves
+ * less than 2^-16 px in a row is taken as one that moves so far. */
+struct pel_smooth_slope pel_smooth_slope_of(uint64_t step)
+{
+    struct pel_smooth_slope slope;
+    int shift = 1;
+    while (step >> shift > 65535)
+        shift++;
+    const int32_t m = pel_max((int32_t)(step >> shift), 32768);
+    slope.rise = pel_divide(UINT64_C(1) << 31, (uint32_t)m);
+    slope.up = (uint8_t)pel_max(16 - shift, 0);
+    slope.down = (uint8_t)pel_max(shift - 16, 0);
+    return slope;
 }
 
 /* The bulge of a piece 1 px wide is 1 / 12 r (r / z)^3, where z, from .7 r to
  * r, is how far along the other axis it is. The cubic is off by less than .4 %.
- */
+ * The inverse is below 2^15, the cubic below 2^18. */
 void pel_smooth_strip_set(struct pel_smooth_strip *s)
 {
     const struct pel_smooth_circle *const c = s->circle;
+    s->bulge = 0;
+    s->small = s->steep = false;
+    if (!c || s->at_near == s->at_far)
+        return;
+    s->small = c->oval || c->radius < SMALL;
+    if (s->small)
+        return;
     const int32_t v = (s->near >> 1) + (s->far >> 1);
     const int32_t u = (s->at_near >> 1) + (s->at_far >> 1);
     s->steep = u > v;
-    const bool straight = s->at_near == s->at_far;
-    s->small = c->radius < SMALL && !straight;
-    s->bulge = 0;
-    if (s->small || straight)
-        return;
     const int32_t rest = pel_max(c->radius - ((s->steep ? u : v) >> 8), 0);
     const uint32_t e = (uint32_t)rest * c->inverse >> 16; /* 2^-12 */
     uint32_t p = 134129 + (1827020 * e >> 12);
     p = 213042 + (p * e >> 12);
     p = 65382 + (p * e >> 12);
-    s->bulge = c->bulge * (p >> 2) >> 14;
+    s->bulge = (c->inverse * (p >> 2) >> 14) * 21845 >> 18;
 }
 
-/* A piece of the arc from (u0, v0) to (u1, v1), u0 <= u1 and v0 >= v1, in 2^-16
- * px from the centre. The area between an arc and its chord of length l is
+/* The area between an arc and its chord of length l is
  *     l^3 / 12 r (1 + 3/10 q^2 + 9/56 q^4 ..), q = l / 2 r.
  * l = (du v + dv u) / (r sqrt(1 - q^2)), with (u, v) the chord's middle, since
  * the chord is at a right angle to the radius there. With r alone for that
  * divisor the sum is 1.71 at most, for a quarter of a circle; the cubic is off
  * by .0012 of it. du, dv in 2^-11 px, u and v in 2^-10 px: the products are
  * below 2^11.5 2^8 r 2^12 / r, then 2^31. In 2^-15 px. */
-struct piece {
-    int32_t u0, v0, u1, v1;
-};
-
 static PEL_NOINLINE uint32_t small_bulge(const struct pel_smooth_circle *c,
-                                         const struct piece *p)
+                                         const struct pel_smooth_arc_piece *p)
 {
+    if (c->oval)
+        return c->oval->bulge(c->oval, p);
     const uint32_t du = (uint32_t)(p->u1 - p->u0) >> 5;
     const uint32_t dv = (uint32_t)(p->v0 - p->v1) >> 5;
     const uint32_t u = (uint32_t)((p->u0 >> 7) + (p->u1 >> 7));
     const uint32_t v = (uint32_t)((p->v0 >> 7) + (p->v1 >> 7));
     const uint32_t square = du * du + dv * dv;
     const uint32_t length = ((du * v + dv * u) >> 2) * c->inverse >> 20;
-    const uint32_t area = ((square >> 4) * length >> 14) * c->bulge >> 17;
+    const uint32_t three = ((square >> 4) * length >> 14) * c->inverse >> 14;
+    const uint32_t area = three * 21845 >> 16;
     const uint32_t k = c->inverse >> 3;
     const uint32_t q = (square >> 6) * (k * k >> 4) >> 16;
     uint32_t more = 15469 + (120567 * q >> 16);
@@ -122,7 +140,7 @@ static PEL_NOINLINE uint32_t small_bulge(const struct pel_smooth_circle *c,
 }
 
 static uint32_t bulge_of(const struct pel_smooth_strip *s,
-                         const struct piece *p)
+                         const struct pel_smooth_arc_piece *p)
 {
     if (s->small)
         return small_bulge(s->circle, p);
@@ -134,109 +152,49 @@ static uint32_t bulge_of(const struct pel_smooth_strip *s,
 /* What lies below a piece and above the strip's near end, 2^-15 px: the factors
  * are at most 2^15 and 2^16. */
 static PEL_HOT_LOOP uint32_t area_of(const struct pel_smooth_strip *s,
-                                     const struct piece *p)
+                                     const struct pel_smooth_arc_piece *p)
 {
     const uint32_t w = (uint32_t)(p->u1 - p->u0);
     const uint32_t h = (uint32_t)(p->v0 - s->near + p->v1 - s->near);
     return ((w >> 1) * (h >> 1) >> 16) + bulge_of(s, p);
 }
 
-/* The height of the arc at a column's boundary, in the strip. */
+/* The height of the arc at a column's boundary, in the strip. Of a line the
+ * product is below 2^32. */
 static inline int32_t height_at(const struct pel_smooth_strip *s, int32_t u)
 {
-    const int32_t v = pel_smooth_arc_at(s->circle, u >> 8);
+    const uint32_t way = (uint32_t)(u - s->at_far);
+    const int32_t v =
+        s->circle ? pel_smooth_arc_at(s->circle, u >> 8, true)
+                  : s->far - (int32_t)((way << s->slope.up >> s->slope.down) *
+                                           s->slope.rise >>
+                                       15);
     return pel_max(s->near, pel_min(v, s->far));
 }
 
-static inline uint32_t bulge_between(const struct pel_smooth_strip *s,
-                                     const struct piece *p)
-{
-    return s->small ? small_bulge(s->circle, p) : s->bulge >> 5;
-}
-
-/* The area of a column that holds a whole side; `sum` are both of its ends,
- * from the column's inner boundary on. */
+/* The area of a column that holds a whole side, a pixel high; `sum` are both of
+ * its ends, from the column's inner boundary on. */
 static inline uint32_t whole_area(const struct pel_smooth_strip *s,
                                   uint32_t sum)
 {
-    const struct piece p = {s->at_far, s->far, s->at_near, s->near};
-    return (sum >> 2) + bulge_between(s, &p);
+    const struct pel_smooth_arc_piece p = {s->at_far, s->far, s->at_near,
+                                           s->near};
+    return (sum >> 2) + (s->small ? small_bulge(s->circle, &p) : s->bulge >> 5);
 }
 
-/* A column that the arc crosses, whose inner boundary is at u: p is the piece
- * in the column before, if that is another one, and becomes the piece in this
- * one. What is inside of it is whole. */
-static uint32_t column_area(const struct pel_smooth_strip *s, int32_t u,
-                            struct piece *p)
+uint32_t pel_smooth_column_area(const struct pel_smooth_strip *s, int32_t u,
+                                struct pel_smooth_arc_piece *p)
 {
+    const bool last = s->at_near - u <= 65536, first = u <= s->at_far;
     uint32_t whole = 0;
-    p->v0 = p->u1 == u ? p->v1 : s->far;
-    if (u > s->at_far && p->u1 != u)
-        p->v0 = height_at(s, u);
-    p->u0 = pel_max(u, s->at_far);
-    if (u <= s->at_far) {
+    if (first) {
+        if (last && s->far - s->near == 65536)
+            return whole_area(s, (uint32_t)(s->at_far - u + s->at_near - u));
         whole = (uint32_t)(s->at_far - u) >> 1;
-        p->v0 = s->far;
     }
-    const bool last = s->at_near - u <= 65536;
-    if (last && u <= s->at_far && s->far - s->near == 65536)
-        return whole_area(s, (uint32_t)(s->at_far - u + s->at_near - u));
+    p->v0 = first ? s->far : p->u1 == u ? p->v1 : height_at(s, u);
+    p->u0 = first ? s->at_far : u;
     p->u1 = last ? s->at_near : u + 65536;
     p->v1 = last ? s->near : height_at(s, u + 65536);
     return (whole * (uint32_t)(s->far - s->near) >> 16) + area_of(s, p);
-}
-
-void pel_smooth_strip_areas(const struct pel_smooth_strip *s, int32_t center,
-                            int32_t x, int32_t n, uint16_t *area)
-{
-    const struct pel_span arc = pel_smooth_crossed(s, center);
-    struct piece p = {0, 0, INT32_MIN, 0};
-    for (; n > 0; n--, x++) {
-        if (x < arc.x0)
-            *area++ = (uint16_t)pel_smooth_height(s);
-        else if (x >= arc.x1)
-            *area++ = 0;
-        else
-            *area++ = (uint16_t)column_area(s, (x * 256 - center) * 256, &p);
-    }
-}
-
-/* Coverage, of what is outside where flip is all ones. */
-static inline uint8_t coverage_of(uint32_t area, uint32_t flip)
-{
-    return pel_smooth_coverage((area ^ flip) + (flip & 32769));
-}
-
-/* The columns of a whole side that is more than one of them wide, of which
- * `full` px of the first one are whole. */
-static void cross_columns(const struct pel_smooth_strip *s, int32_t full,
-                          uint8_t *to, int32_t step, uint32_t flip)
-{
-    int32_t u = s->at_far - full + 65536;
-    struct piece p = {s->at_far, s->far, u, height_at(s, u)};
-    *to = coverage_of(((uint32_t)full >> 1) + area_of(s, &p), flip);
-    for (to += step; s->at_near - u >= 65536; to += step) {
-        p.u0 = u;
-        p.v0 = p.v1;
-        u += 65536;
-        p.u1 = u;
-        p.v1 = height_at(s, u);
-        const int32_t sum = p.v0 - s->near + p.v1 - s->near;
-        *to = coverage_of(((uint32_t)sum >> 2) + bulge_between(s, &p), flip);
-    }
-    p = (struct piece){u, p.v1, s->at_near, s->near};
-    *to = coverage_of(area_of(s, &p), flip);
-}
-
-void pel_smooth_whole_side(const struct pel_smooth_strip *s, int32_t center,
-                           bool hole, uint8_t *to, int32_t step)
-{
-    const uint32_t fraction = (uint32_t)center << 8 & 0xFFFF;
-    const uint32_t a = fraction + (uint32_t)s->at_far;
-    const uint32_t b = fraction + (uint32_t)s->at_near;
-    const uint32_t full = a & 0xFFFF, flip = hole ? ~UINT32_C(0) : 0;
-    if (a >> 16 != b >> 16)
-        cross_columns(s, (int32_t)full, to, step, flip);
-    else
-        *to = coverage_of(whole_area(s, full + (b & 0xFFFF)), flip);
 }

@@ -1,0 +1,80 @@
+#include "line_side.h"
+
+#include "smooth_edge.h"
+
+bool pel_smooth_upright(struct pel_smooth_crossing *c, int32_t y, int64_t from,
+                        int64_t to)
+{
+    const int64_t top = (int64_t)y * 65536;
+    from = from > top ? from - top : 0;
+    to = to - top < 65536 ? to - top : 65536;
+    c->strip.circle = NULL;
+    c->strip.near = 0;
+    c->strip.far = (int32_t)(to - from);
+    return from < to;
+}
+
+/* x at the top of a row that the line crosses. */
+static int64_t line_at(struct pel_smooth_line *l, int32_t y)
+{
+    l->at += (int64_t)pel_times((uint64_t)l->step, y - l->row);
+    l->row = y;
+    return l->at >> 16;
+}
+
+/* A half of a line that is wider than a row may be, or all of another one. */
+static bool find_line(struct pel_smooth_outline *outline, int32_t y, int32_t i,
+                      struct pel_smooth_crossing *c)
+{
+    struct pel_smooth_line *const l =
+        &((struct pel_smooth_lines *)(void *)outline)->line[i / 2];
+    struct pel_smooth_far_place top = l->top, bottom = l->bottom;
+    const int64_t row = (int64_t)y * 65536;
+    const bool wide = pel_size_of(bottom.x - top.x) > INT32_MAX - 255;
+    if (wide) {
+        struct pel_smooth_far_place *const end = i & 1 ? &top : &bottom;
+        end->x = (l->top.x + l->bottom.x) >> 1;
+        end->y = (l->top.y + l->bottom.y) >> 1;
+    }
+    if ((i % 2 && !wide) || !pel_smooth_upright(c, y, top.y, bottom.y))
+        return false;
+    const int64_t a = top.y < row ? line_at(l, y) : top.x;
+    const int64_t b = bottom.y > row + 65536 ? line_at(l, y + 1) : bottom.x;
+    const int64_t first = a < b ? a : b, last = a < b ? b : a;
+    c->strip.slope = l->slope;
+    c->center = (int32_t)(first >> 8);
+    c->strip.at_far = first & 255;
+    c->strip.at_near = (int32_t)(last - first) + c->strip.at_far;
+    c->left = false;
+    c->rising = l->rising;
+    return true;
+}
+
+static void set_line(struct pel_smooth_line *l, struct pel_point d)
+{
+    const struct pel_point zero = {0, 0};
+    const struct pel_point down = {d.y < 0 ? -d.x : d.x, pel_magnitude(d.y)};
+    l->step = pel_smooth_step(&zero, &down);
+    const uint64_t size = (uint64_t)pel_size_of(l->step);
+    l->slope = pel_smooth_slope_of(size);
+    l->row = (int32_t)((l->top.y + 65535) >> 16);
+    const int64_t way =
+        (int64_t)(pel_times(size, (int32_t)(-l->top.y & 65535)) >> 16);
+    l->at = l->top.x * 65536 + (l->step < 0 ? -way : way);
+}
+
+void pel_smooth_lines_add(struct pel_smooth_lines *lines, struct pel_point d,
+                          struct pel_smooth_far_place from,
+                          struct pel_smooth_far_place to)
+{
+    struct pel_smooth_outline *const o = &lines->outline;
+    struct pel_smooth_line *const l = &lines->line[o->others / 2];
+    if (from.y == to.y)
+        return;
+    l->rising = to.y < from.y;
+    l->top = l->rising ? to : from;
+    l->bottom = l->rising ? from : to;
+    set_line(l, d);
+    o->other = find_line;
+    o->others = (uint8_t)(o->others + 2);
+}

@@ -1,0 +1,122 @@
+/* The sides of shapes in a row of pixels, and the part of each pixel that lies
+ * left of them.
+ *
+ * A row cuts a shape into strips: of a disc one above the height of its centre,
+ * or one below, or both. An arc enters a strip and leaves it at two distances
+ * from the axis, at_near >= at_far, and crosses the columns between them. The
+ * left side is the right one of the mirrored picture.
+ *
+ *           axis
+ *            |-- at_far --.
+ *      far   +------------*.
+ *            |                `*.
+ *      near  +------------------*
+ *            |----- at_near ----|
+ *
+ * Lines are straight arcs, around an axis that is near. Distances are in 2^-16
+ * px. Areas are in 2^-15 of a pixel. */
+#ifndef PEL_SMOOTH_STRIP_H
+#define PEL_SMOOTH_STRIP_H
+
+#include "../base/format.h"
+#include "../base/point.h"
+
+/* A piece of an arc from (u0, v0) to (u1, v1), u0 <= u1 and v0 >= v1, from the
+ * centre. */
+struct pel_smooth_arc_piece {
+    int32_t u0, v0, u1, v1;
+};
+
+/* What an ellipse has of its own, whose arcs are seen as a circle's of its
+ * upright radius. */
+struct pel_smooth_oval {
+    int32_t width; /* its other radius, 1/256 px */
+    /* How far from one axis the arc is at a distance from the other, 1/256 px:
+     * from the upright one by what it is from the level one, or `down`. */
+    int32_t (*at)(const struct pel_smooth_oval *oval, int32_t distance,
+                  bool down);
+    /* The area between a piece and its chord, 2^-15 px. */
+    uint32_t (*bulge)(const struct pel_smooth_oval *oval,
+                      const struct pel_smooth_arc_piece *piece);
+};
+
+/* What belongs to a radius. */
+struct pel_smooth_circle {
+    int32_t radius;   /* 1/256 px */
+    int32_t shift;    /* of the square of the radius to 30..32 bits */
+    uint32_t inverse; /* 2^28 / radius, from 40 px on; else 2^20 / radius */
+    const struct pel_smooth_oval *oval; /* or NULL */
+};
+
+/* How much a line moves down, by how much it moves along x: rise 2^-15 times
+ * what is shifted up and down. */
+struct pel_smooth_slope {
+    uint32_t rise;
+    uint8_t up, down;
+};
+
+struct pel_smooth_strip {
+    const struct pel_smooth_circle *circle; /* NULL: a line, .. */
+    struct pel_smooth_slope slope;          /* .. which has this */
+    int32_t near, far;       /* 0 <= near < far, at most a pixel more */
+    int32_t at_near, at_far; /* where the arc is there */
+    uint32_t bulge;          /* of a piece 1 px wide, 2^-20 px */
+    bool steep;              /* such a piece is so long along y */
+    bool small;              /* each piece of the arc has its bulge */
+};
+
+/* Of a legal radius, and no oval. */
+void pel_smooth_circle_set(struct pel_smooth_circle *circle, int32_t radius);
+
+/* How far from one axis the arc is at a distance from the other, 1/256 px: see
+ * pel_smooth_oval. */
+int32_t pel_smooth_arc_at(const struct pel_smooth_circle *circle,
+                          int32_t distance, bool down);
+
+/* How far from the upright axis it is at most. */
+static inline int32_t pel_smooth_reach(const struct pel_smooth_circle *circle)
+{
+    return (circle->oval ? circle->oval->width : circle->radius) * 256;
+}
+
+/* Of a line that moves so far in a row, px 2^-32. */
+struct pel_smooth_slope pel_smooth_slope_of(uint64_t step);
+
+/* Sets `bulge`, `steep` and `small` of a strip that has the rest. */
+void pel_smooth_strip_set(struct pel_smooth_strip *strip);
+
+/* The height of a strip. */
+static inline int32_t pel_smooth_height(const struct pel_smooth_strip *strip)
+{
+    return (strip->far - strip->near) >> 1;
+}
+
+/* The column of a distance from the centre at x. */
+static inline int32_t pel_smooth_column(int32_t x, int32_t distance)
+{
+    return (x + (distance >> 8)) >> 8;
+}
+
+/* The columns that the arc crosses. */
+static inline struct pel_span pel_smooth_crossed(
+    const struct pel_smooth_strip *strip, int32_t center)
+{
+    const struct pel_span span = {pel_smooth_column(center, strip->at_far),
+                                  pel_smooth_column(center, strip->at_near) +
+                                      1};
+    return span;
+}
+
+/* 0..255 of a sum of areas, which is off by less than 64. */
+static inline uint8_t pel_smooth_coverage(uint32_t sum)
+{
+    return (uint8_t)((((sum + 64) & 0xFFFF) * 255 + 16384 - 64 * 255) >> 15);
+}
+
+/* What lies between the axis and the arc in a column that it crosses, whose
+ * inner boundary is at u. The piece is that of the column before, or has u1 =
+ * INT32_MIN, and becomes that of this one. */
+uint32_t pel_smooth_column_area(const struct pel_smooth_strip *strip, int32_t u,
+                                struct pel_smooth_arc_piece *piece);
+
+#endif
