@@ -2,6 +2,27 @@
 
 #include "smooth_edge.h"
 
+bool pel_smooth_cut(struct pel_smooth_strip *s, const struct pel_smooth_bow *b,
+                    int32_t k, bool upright)
+{
+    for (int32_t i = 0; i < 2; i++) {
+        const struct pel_smooth_place *const p = i ? &b->to : &b->from;
+        const int32_t v = pel_magnitude(p->y), u = pel_magnitude(p->x);
+        if (k != (i ? b->count - 1 : 0))
+            continue;
+        if (i == upright && v > s->near) {
+            s->near = v;
+            s->at_near = u;
+        }
+        if (i != upright && v < s->far) {
+            s->far = v;
+            s->at_far = u;
+        }
+    }
+    s->at_far = pel_min(s->at_far, s->at_near);
+    return s->near < s->far;
+}
+
 bool pel_smooth_upright(struct pel_smooth_crossing *c, int32_t y, int64_t from,
                         int64_t to)
 {
@@ -17,26 +38,35 @@ bool pel_smooth_upright(struct pel_smooth_crossing *c, int32_t y, int64_t from,
 /* x at the top of a row that the line crosses. */
 static int64_t line_at(struct pel_smooth_line *l, int32_t y)
 {
-    l->at += (int64_t)pel_times((uint64_t)l->step, y - l->row);
+    if (y == l->row + 1)
+        l->at += l->step;
+    else if (y != l->row)
+        l->at += (int64_t)pel_times((uint64_t)l->step, y - l->row);
     l->row = y;
     return l->at >> 16;
 }
 
-/* A half of a line that is wider than a row may be, or all of another one. */
+/* Where a line may be too wide: its upper half, or the lower one. */
+static void cut_in_half(struct pel_smooth_far_place *top,
+                        struct pel_smooth_far_place *bottom, int32_t lower)
+{
+    struct pel_smooth_far_place *const end = lower ? top : bottom;
+    const struct pel_smooth_far_place middle = {(top->x + bottom->x) >> 1,
+                                                (top->y + bottom->y) >> 1};
+    *end = middle;
+}
+
+/* A line, or a half of one. */
 static bool find_line(struct pel_smooth_outline *outline, int32_t y, int32_t i,
                       struct pel_smooth_crossing *c)
 {
-    struct pel_smooth_line *const l =
-        &((struct pel_smooth_lines *)(void *)outline)->line[i / 2];
+    struct pel_smooth_lines *const lines = (void *)outline;
+    struct pel_smooth_line *const l = &lines->line[lines->wide ? i >> 1 : i];
     struct pel_smooth_far_place top = l->top, bottom = l->bottom;
     const int64_t row = (int64_t)y * 65536;
-    const bool wide = pel_size_of(bottom.x - top.x) > INT32_MAX - 255;
-    if (wide) {
-        struct pel_smooth_far_place *const end = i & 1 ? &top : &bottom;
-        end->x = (l->top.x + l->bottom.x) >> 1;
-        end->y = (l->top.y + l->bottom.y) >> 1;
-    }
-    if ((i % 2 && !wide) || !pel_smooth_upright(c, y, top.y, bottom.y))
+    if (lines->wide)
+        cut_in_half(&top, &bottom, i & 1);
+    if (!pel_smooth_upright(c, y, top.y, bottom.y))
         return false;
     const int64_t a = top.y < row ? line_at(l, y) : top.x;
     const int64_t b = bottom.y > row + 65536 ? line_at(l, y + 1) : bottom.x;
@@ -68,7 +98,8 @@ void pel_smooth_lines_add(struct pel_smooth_lines *lines, struct pel_point d,
                           struct pel_smooth_far_place to)
 {
     struct pel_smooth_outline *const o = &lines->outline;
-    struct pel_smooth_line *const l = &lines->line[o->others / 2];
+    struct pel_smooth_line *const l =
+        &lines->line[lines->wide ? o->others / 2 : o->others];
     if (from.y == to.y)
         return;
     l->rising = to.y < from.y;
@@ -76,5 +107,5 @@ void pel_smooth_lines_add(struct pel_smooth_lines *lines, struct pel_point d,
     l->bottom = l->rising ? from : to;
     set_line(l, d);
     o->other = find_line;
-    o->others = (uint8_t)(o->others + 2);
+    o->others = (uint8_t)(o->others + (lines->wide ? 2 : 1));
 }

@@ -27,10 +27,15 @@ struct pel_smooth_line {
     bool rising; /* the outline goes up */
 };
 
+/* Cuts quarters of bows (`cut` of an outline). */
+bool pel_smooth_cut(struct pel_smooth_strip *strip,
+                    const struct pel_smooth_bow *bow, int32_t k, bool upright);
+
 /* Two sides of an outline. */
 struct pel_smooth_lines {
     struct pel_smooth_outline outline; /* first */
     struct pel_smooth_line line[2];
+    bool wide; /* a row may hold more than the range of a strip */
 };
 
 /* Adds a line in a direction, between two heights; none if it is level. */

@@ -1,8 +1,5 @@
 #include "outline.h"
 
-/* Numbers of quarters that a bow has, of which it may have 5. */
-enum { BOW = 8 };
-
 /* Columns whose areas are summed at a time. */
 enum { COLUMNS = PEL_SMOOTH_TINY ? 8 : 16 };
 
@@ -19,9 +16,11 @@ bool pel_smooth_outline_begin(struct pel_smooth_outline *o,
 {
     const struct pel_rect *const clip = &surface->clip;
     o->seen = pel_rect_intersect(box, clip);
-    o->inside = box->x0 >= clip->x0 && box->x1 <= clip->x1;
-    o->twins = o->twins && box->y0 >= clip->y0 && box->y1 <= clip->y1;
-    o->image_y = box->y0 + box->y1 - 1;
+    if (!PEL_SMOOTH_TINY) {
+        o->inside = box->x0 >= clip->x0 && box->x1 <= clip->x1;
+        o->twins &= box->y0 >= clip->y0 && box->y1 <= clip->y1;
+        o->image_y = box->y0 + box->y1 - 1;
+    }
     return !pel_rect_empty(&o->seen) &&
            pel_smooth_begin(&o->smooth, surface, paint);
 }
@@ -34,7 +33,7 @@ static int32_t bow_at(const struct pel_smooth_outline *o,
     const int32_t above = b->center.y - y * 256;
     const int32_t distance = pel_max(above, -above - o->spread.y);
     return distance > 0 ? pel_smooth_arc_at(&b->circle, distance, false)
-                        : pel_smooth_reach(&b->circle);
+                        : b->circle.reach;
 }
 
 static void go_to(const struct pel_smooth_outline *o, struct pel_smooth_bow *b,
@@ -47,77 +46,62 @@ static void go_to(const struct pel_smooth_outline *o, struct pel_smooth_bow *b,
     b->row = y;
 }
 
-/* A quarter's piece is cut at an end: where it begins, near the axis, or where
- * it ends. */
-static void cut_at(struct pel_smooth_strip *s, const struct pel_smooth_place *p,
-                   bool begins)
+/* What the upper half of a circle, or the lower one, has in a row, whose top is
+ * so far below its upper centres. Places a unit outside of the circle do not
+ * matter. */
+static void visit_half(const struct pel_smooth_outline *o,
+                       const struct pel_smooth_bow *b, int32_t down, bool below,
+                       struct pel_smooth_visitor *visitor)
 {
-    const int32_t v = pel_magnitude(p->y), u = pel_magnitude(p->x);
-    if (begins && v > s->near) {
-        s->near = v;
-        s->at_near = u;
-    }
-    if (!begins && v < s->far) {
-        s->far = v;
-        s->at_far = u;
-    }
-}
-
-/* The kth quarter's, whose places a unit outside of the circle do not matter.
- */
-static bool find_quarter(const struct pel_smooth_outline *o,
-                         const struct pel_smooth_bow *b, int32_t y, int32_t k,
-                         struct pel_smooth_strip *s)
-{
-    const int32_t quadrant = (b->first + k) & 3, below = quadrant < 2;
-    const int32_t down = y * 256 - b->center.y;
+    struct pel_smooth_crossing c;
+    struct pel_smooth_strip *const s = &c.strip;
     const int32_t near = below ? down - o->spread.y : -256 - down;
     const int32_t far = pel_min(near + 256, b->circle.radius);
-    if (k >= b->count || near >= far || far <= 0)
-        return false;
+    if (near >= far || far <= 0)
+        return;
     s->circle = &b->circle;
-    s->near = pel_max(near, 0) * 256;
-    s->far = far * 256;
-    s->at_near = near > 0 ? b->at[!below] : pel_smooth_reach(&b->circle);
-    s->at_far = b->at[below];
-    if (!b->whole && k == 0)
-        cut_at(s, &b->from, quadrant % 2 == 0);
-    if (!b->whole && k == b->count - 1)
-        cut_at(s, &b->to, quadrant % 2 == 1);
-    s->at_far = pel_min(s->at_far, s->at_near);
-    return s->near < s->far;
+    for (int32_t k = 0; k < b->count; k++) {
+        const int32_t quadrant = (b->first + k) & 3;
+        if ((quadrant < 2) != below)
+            continue;
+        s->near = pel_max(near, 0) * 256;
+        s->far = far * 256;
+        s->at_near = near > 0 ? b->at[!below] : b->circle.reach;
+        s->at_far = pel_min(b->at[below], s->at_near);
+        if (o->cut && !o->cut(s, b, k, quadrant & 1))
+            continue;
+        c.left = quadrant == 1 || quadrant == 2;
+        c.rising = c.left != b->hole;
+        c.center = c.left ? -b->center.x : b->center.x + o->spread.x;
+        visitor->visit(visitor, &c);
+    }
 }
 
-static bool find_of_bow(const struct pel_smooth_outline *o,
-                        struct pel_smooth_bow *b, int32_t y, int32_t k,
-                        struct pel_smooth_crossing *c)
+void pel_smooth_visit(struct pel_smooth_outline *o, int32_t y,
+                      struct pel_smooth_visitor *visitor)
 {
-    const int32_t quadrant = (b->first + k) & 3;
-    c->left = quadrant == 1 || quadrant == 2;
-    c->rising = c->left != b->hole;
-    c->center = c->left ? -b->center.x : b->center.x + o->spread.x;
-    go_to(o, b, y);
-    return find_quarter(o, b, y, k, &c->strip);
-}
-
-int32_t pel_smooth_crossings(const struct pel_smooth_outline *o)
-{
-    return BOW * o->bows + o->others;
-}
-
-bool pel_smooth_crossing_find(struct pel_smooth_outline *o, int32_t y,
-                              int32_t i, struct pel_smooth_crossing *c)
-{
-    if (i < BOW * o->bows)
-        return find_of_bow(o, &o->bow[i / BOW], y, i % BOW, c);
-    return o->other(o, y, i - BOW * o->bows, c);
+    for (struct pel_smooth_bow *b = o->bow; b < o->bow + o->bows; b++) {
+        const int32_t down = y * 256 - b->center.y;
+        if (down <= -b->circle.radius - 256 ||
+            down >= b->circle.radius + o->spread.y)
+            continue;
+        go_to(o, b, y);
+        visit_half(o, b, down, false, visitor);
+        visit_half(o, b, down, true, visitor);
+    }
+    for (int32_t i = 0; i < o->others; i++) {
+        struct pel_smooth_crossing c;
+        if (o->other(o, y, i, &c))
+            visitor->visit(visitor, &c);
+    }
 }
 
 /* Some columns of a row, in which the areas right of its sides are added up. */
 struct window {
-    int32_t y, x, n; /* columns from x on */
-    int32_t used;    /* of them, up to the last one that a side crosses */
-    int32_t next;    /* the first one behind it that a side crosses */
+    struct pel_smooth_visitor visitor; /* first */
+    int32_t y, x, n;                   /* columns from x on */
+    int32_t used; /* of them, up to the last one that a side crosses */
+    int32_t next; /* the first one behind it that a side crosses */
     union {
         int32_t sum[COLUMNS + 1]; /* what each has more than the one before it,
                                      and what those up to `next` have, 2^-15 px
@@ -150,8 +134,10 @@ static void add_columns(struct window *w, struct pel_smooth_crossing *c,
     }
 }
 
-static void add_side(struct window *w, struct pel_smooth_crossing *c)
+static void add_side(struct pel_smooth_visitor *window,
+                     struct pel_smooth_crossing *c)
 {
+    struct window *const w = (void *)window;
     const int32_t h = pel_smooth_height(&c->strip), end = w->x + w->n;
     struct pel_span columns = pel_smooth_crossing_columns(c);
     if (columns.x1 <= w->x)
@@ -169,17 +155,13 @@ static void add_side(struct window *w, struct pel_smooth_crossing *c)
 static PEL_NOINLINE void fill_window(struct pel_smooth_outline *o,
                                      struct window *w)
 {
-    const int32_t count = pel_smooth_crossings(o);
     w->n = pel_min(o->seen.x1 - w->x, COLUMNS);
     w->next = o->seen.x1;
     w->used = 0;
+    /* volatile: no call of memset, which may be the only one */
     for (int32_t i = 0; i <= w->n; i++)
-        w->of.sum[i] = 0;
-    for (int32_t i = 0; i < count; i++) {
-        struct pel_smooth_crossing c;
-        if (pel_smooth_crossing_find(o, w->y, i, &c))
-            add_side(w, &c);
-    }
+        ((volatile int32_t *)w->of.sum)[i] = 0;
+    pel_smooth_visit(o, w->y, &w->visitor);
 }
 
 /* Where ends meet a sum may be more than a pixel. */
@@ -189,30 +171,33 @@ static uint8_t coverage_of(int32_t sum)
 }
 
 /* Sums become bytes, each after the sum that it lies in has been read. All
- * pixels up to `next` are full or empty, or the window is as long as it can be.
- * How many are full. */
+ * pixels from `used` to `next` are full or empty, or the window is as long as
+ * it can be. How many are full. */
 static PEL_NOINLINE int32_t find_coverage(struct window *w)
 {
-    int32_t sum = 0, i = 0;
-    for (; i < w->used; i++) {
+    int32_t sum = 0;
+    for (int32_t i = 0;; i++) {
         sum += w->of.sum[i];
-        w->of.coverage[i] = coverage_of(sum);
+        const uint8_t coverage = coverage_of(sum);
+        if (i >= w->used) {
+            w->used = i;
+            if (coverage == 255)
+                return w->next - w->x - i;
+            if (coverage == 0)
+                return 0;
+            if (i == w->n) {
+                w->next = w->x + i;
+                return 0;
+            }
+        }
+        w->of.coverage[i] = coverage;
     }
-    const uint8_t even = coverage_of(sum + w->of.sum[i]);
-    if (even == 255)
-        return w->next - w->x - i;
-    if (even > 0) {
-        for (; i < w->n; i++)
-            w->of.coverage[i] = even;
-        w->used = i;
-        w->next = w->x + i;
-    }
-    return 0;
 }
 
 static void paint_row(struct pel_smooth_outline *o, int32_t y)
 {
     struct window w;
+    w.visitor.visit = add_side;
     w.y = y;
     for (w.x = o->seen.x0; w.x < o->seen.x1; w.x = w.next) {
         fill_window(o, &w);

@@ -18,7 +18,6 @@ struct pel_smooth_bow {
     struct pel_point center;
     struct pel_smooth_place from, to;
     uint8_t first, count; /* quadrants */
-    bool whole;           /* a circle, without from and to */
     bool hole;            /* the outline goes backwards */
     struct pel_smooth_circle circle;
     int32_t row;   /* of what follows */
@@ -39,6 +38,11 @@ struct pel_smooth_outline {
     struct pel_point spread;  /* of a rounded rectangle's corners, 1/256 px */
     struct pel_smooth_bow *bow;
     uint8_t bows;
+    /* Cuts a strip of the kth quarter of a bow, which begins at the upright
+     * axis or at the level one, at the bow's ends; false: none is left. NULL:
+     * bows are circles, without ends. */
+    bool (*cut)(struct pel_smooth_strip *strip,
+                const struct pel_smooth_bow *bow, int32_t k, bool upright);
     uint8_t others; /* sides of other kinds */
     /* The ith of them in row y; false: there is none. */
     bool (*other)(struct pel_smooth_outline *outline, int32_t y, int32_t i,
@@ -48,7 +52,7 @@ struct pel_smooth_outline {
     int32_t image_y; /* .. to which their y adds up */
 };
 
-/* After it has got `spread` to `other`, and `twins`. False: nothing in the box
+/* After it has got `spread` to `others`, and `twins`. False: nothing in the box
  * of pixels can be seen. */
 bool pel_smooth_outline_begin(struct pel_smooth_outline *outline,
                               const struct pel_surface *surface,
@@ -66,10 +70,14 @@ void pel_smooth_outline_paint(struct pel_smooth_outline *outline);
 bool pel_smooth_upright(struct pel_smooth_crossing *crossing, int32_t y,
                         int64_t from, int64_t to);
 
-/* How many there may be, and the ith one in row y; false: there is none. */
-int32_t pel_smooth_crossings(const struct pel_smooth_outline *outline);
-bool pel_smooth_crossing_find(struct pel_smooth_outline *outline, int32_t y,
-                              int32_t i, struct pel_smooth_crossing *crossing);
+/* What is called with each crossing of a row. */
+struct pel_smooth_visitor {
+    void (*visit)(struct pel_smooth_visitor *visitor,
+                  struct pel_smooth_crossing *crossing);
+};
+
+void pel_smooth_visit(struct pel_smooth_outline *outline, int32_t y,
+                      struct pel_smooth_visitor *visitor);
 
 /* The columns that it crosses. */
 static inline struct pel_span pel_smooth_crossing_columns(

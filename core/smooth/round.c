@@ -1,16 +1,5 @@
 #include "round.h"
 
-static void set_circle(struct pel_smooth_bow *b, struct pel_point center,
-                       int32_t radius)
-{
-    b->center = center;
-    b->first = 0;
-    b->count = 4;
-    b->whole = true;
-    b->hole = false;
-    pel_smooth_bow_set(b, radius);
-}
-
 void pel_smooth_round(const struct pel_surface *surface,
                       const struct pel_smooth_round *round,
                       const struct pel_paint *paint)
@@ -20,19 +9,27 @@ void pel_smooth_round(const struct pel_surface *surface,
     const int32_t r = round->outer;
     struct pel_smooth_bow bow[2];
     struct pel_smooth_outline o;
-    set_circle(&bow[0], c, r);
-    set_circle(&bow[1], c, round->inner);
-    bow[0].circle.oval = round->oval;
-    bow[1].hole = true;
+    for (int i = 0; i < 2; i++) {
+        bow[i].center = c;
+        bow[i].first = 0;
+        bow[i].count = 4;
+        bow[i].hole = i;
+        pel_smooth_bow_set(&bow[i], i ? round->inner : r);
+    }
+    if (round->oval) {
+        bow[0].circle.oval = round->oval;
+        bow[0].circle.reach = round->oval->reach;
+    }
     o.spread = round->spread;
     o.bow = bow;
-    o.bows = 2;
+    o.bows = round->inner > 0 ? 2 : 1;
+    o.cut = NULL;
     o.other = round->other;
     o.others = o.other ? 2 : 0;
     o.twins = ((c.y + far.y) & 255) == 0;
     /* With the column on the left that a shape just touches: as image of one on
      * the right it is a pixel of coverage 0, which is read and stored. */
-    const int32_t width = pel_smooth_reach(&bow[0].circle) >> 8;
+    const int32_t width = bow[0].circle.reach >> 8;
     const struct pel_rect box = {
         pel_pixel_of(c.x - width - 1), pel_pixel_of(c.y - r),
         pel_pixel_of(far.x + width) + 1, pel_pixel_of(far.y + r + 255)};

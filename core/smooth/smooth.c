@@ -2,8 +2,6 @@
 
 #include "smooth_565.h"
 
-#include <string.h>
-
 /* Colors that are weighed at a time. */
 enum { COLORS = PEL_64BIT ? 64 : PEL_SMALL_CODE ? 4 : 8 };
 
@@ -18,7 +16,8 @@ static void put(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
                 const pel_color *colors)
 {
     (void)y;
-    memcpy(color_at(s, x), colors, (size_t)n * sizeof *colors);
+    for (pel_color *at = color_at(s, x); n > 0; n--)
+        *at++ = *colors++;
 }
 
 static void fill(const struct pel_spans *spans, pel_color color)
@@ -125,24 +124,6 @@ static PEL_NOINLINE_32 void paint_run(const struct pel_smooth *smooth,
     }
 }
 
-static void paint_runs(const struct pel_smooth *smooth,
-                       const struct pel_smooth_runs *runs)
-{
-    const struct pel_flat *const flat = flat_of(smooth->paint);
-    const uint8_t *coverage = runs->coverage;
-    int32_t y = runs->y;
-    if (flat && pel_smooth_is_565(smooth->target)) {
-        pel_smooth_mix_565(smooth->target, runs, flat->color);
-        return;
-    }
-    for (int32_t i = 0; i < 2 * runs->n; i++) {
-        const int32_t n = runs->count[i];
-        paint_run(smooth, runs->x[i] - (i & 1 ? 0 : n), y, n, coverage);
-        coverage += n;
-        y += i & 1 ? runs->step : 0;
-    }
-}
-
 static bool has_pixels(const struct pel_span *span, int32_t n)
 {
     while (n > 0 && span->x0 >= span->x1) {
@@ -162,6 +143,25 @@ static PEL_NOINLINE_32 void paint_full(const struct pel_smooth *smooth,
         smooth->paint->fill(smooth->paint, &spans);
 }
 
+#if !PEL_SMOOTH_TINY
+static void paint_runs(const struct pel_smooth *smooth,
+                       const struct pel_smooth_runs *runs)
+{
+    const struct pel_flat *const flat = flat_of(smooth->paint);
+    const uint8_t *coverage = runs->coverage;
+    int32_t y = runs->y;
+    if (flat && pel_smooth_is_565(smooth->target)) {
+        pel_smooth_mix_565(smooth->target, runs, flat->color);
+        return;
+    }
+    for (int32_t i = 0; i < 2 * runs->n; i++) {
+        const int32_t n = runs->count[i];
+        paint_run(smooth, runs->x[i] - (i & 1 ? 0 : n), y, n, coverage);
+        coverage += n;
+        y += i & 1 ? runs->step : 0;
+    }
+}
+
 static void paint_bytes(const struct pel_smooth *smooth,
                         const struct pel_smooth_batch *b, int32_t y,
                         int32_t step)
@@ -178,7 +178,6 @@ void pel_smooth_paint_batch(const struct pel_smooth *smooth,
     paint_bytes(smooth, b, b->y, 1);
 }
 
-#if !PEL_SMOOTH_TINY
 static void turn_over(struct pel_span *span, int32_t n)
 {
     for (int32_t i = 0; i < --n; i++) {
@@ -201,14 +200,32 @@ void pel_smooth_paint_upwards(const struct pel_smooth *smooth,
 void pel_smooth_paint(const struct pel_smooth *smooth,
                       const struct pel_smooth_row *row)
 {
-    const int32_t full = row->x + row->left;
-    const struct pel_span span = {full, full + row->full};
+    const int32_t full = row->x + row->left, end = full + row->full;
+    const struct pel_span span = {full, end};
+    paint_full(smooth, row->y, 1, &span);
+#if PEL_SMOOTH_TINY
+    paint_run(smooth, row->x, row->y, row->left, row->coverage);
+    paint_run(smooth, end, row->y, row->right, row->coverage + row->left);
+#else
     const uint8_t count[2] = {(uint8_t)row->left, (uint8_t)row->right};
     const struct pel_smooth_runs runs = {row->y,   1,     1,
                                          &span.x0, count, row->coverage};
-    paint_full(smooth, row->y, 1, &span);
     paint_runs(smooth, &runs);
+#endif
 }
+
+#if PEL_SMOOTH_TINY
+void pel_smooth_paint_batch(const struct pel_smooth *smooth,
+                            const struct pel_smooth_batch *b)
+{
+    const struct pel_span *const full = b->at.full;
+    const struct pel_smooth_row row = {b->y,        full->x0 - b->count[0],
+                                       b->count[0], full->x1 - full->x0,
+                                       b->count[1], b->coverage};
+    if (b->n > 0)
+        pel_smooth_paint(smooth, &row);
+}
+#endif
 
 void pel_smooth_clip_batch(struct pel_smooth_batch *b,
                            const struct pel_rect *clip)

@@ -33,7 +33,7 @@ static PEL_NOINLINE void set_bow(struct pel_smooth_bow *b,
     b->to = place_at(a.to, radius);
     b->first = (uint8_t)(a.from >> 14);
     b->count = (uint8_t)(steps == 0 && back ? 5 : steps + 1);
-    b->whole = b->hole = false;
+    b->hole = false;
     pel_smooth_bow_set(b, radius);
 }
 
@@ -57,17 +57,21 @@ static void set_half(struct pel_smooth_bow *b, const struct pel_arc_shape *arc,
 }
 
 /* What rounding leaves open between bow k and the next one, of which those of 1
- * and 3 say where. */
+ * and 3 say where: less than 4 sub-pixels above or below those. */
 static bool find_joint(struct pel_smooth_outline *o, int32_t y, int32_t k,
                        struct pel_smooth_crossing *c)
 {
     const struct pel_smooth_bow *const a = &o->bow[k];
     const struct pel_smooth_bow *const b = &o->bow[(k + 1) & 3];
+    const struct pel_smooth_bow *const half = k & 1 ? a : b;
     const struct pel_smooth_place *const end = a->hole ? &a->from : &a->to;
     const struct pel_smooth_place *const next = b->hole ? &b->to : &b->from;
+    if (pel_magnitude(y * 256 + 128 - half->center.y) >
+        half->circle.radius + 132)
+        return false;
     const int64_t from = (int64_t)a->center.y * 256 + end->y;
     const int64_t to = (int64_t)b->center.y * 256 + next->y;
-    c->center = k & 1 ? a->center.x : b->center.x;
+    c->center = half->center.x;
     c->strip.at_near = c->strip.at_far = k & 1 ? end->x : next->x;
     c->left = false;
     c->rising = to < from;
@@ -90,8 +94,10 @@ static PEL_NOINLINE void set_tour(struct tour *t,
     struct pel_smooth_outline *const o = &t->lines.outline;
     struct pel_smooth_bow *const outer = t->bow;
     struct pel_smooth_bow *const inner = outer + (round ? 2 : 1);
+    t->lines.wide = false;
     o->bow = outer;
     o->bows = round ? 4 : 2;
+    o->cut = pel_smooth_cut;
     o->others = round ? 4 : 0;
     o->other = find_joint;
     o->twins = false;

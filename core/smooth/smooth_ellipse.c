@@ -111,7 +111,7 @@ static int32_t at(const struct pel_smooth_oval *oval, int32_t distance,
 
 static PEL_NOINLINE void set_ellipse(struct ellipse *e, int32_t a, int32_t b)
 {
-    e->oval = (struct pel_smooth_oval){a, at, bulge_of};
+    e->oval = (struct pel_smooth_oval){a * 256, at, bulge_of};
     set_axis(&e->axis[0], b, a);
     set_axis(&e->axis[1], a, b);
     e->inverse[0] = pel_divide(UINT32_C(1) << 24, (uint32_t)a);

@@ -41,7 +41,7 @@ static void set_half(struct pel_smooth_bow *b, struct pel_point center,
     b->to = (struct pel_smooth_place){-from.x, -from.y};
     b->first = quadrant_of(from);
     b->count = 3;
-    b->whole = b->hole = false;
+    b->hole = false;
     pel_smooth_bow_set(b, radius);
 }
 
@@ -60,8 +60,10 @@ static PEL_NOINLINE void set_capsule(struct capsule *c,
     const struct pel_smooth_place right = place_across(d, radius);
     const struct pel_smooth_place left = {-right.x, -right.y};
     struct pel_smooth_outline *const o = &c->lines.outline;
+    c->lines.wide = pel_magnitude(d.x) > PEL_PX(32767);
     o->bow = c->bow;
     o->bows = 2;
+    o->cut = pel_smooth_cut;
     o->others = 0;
     o->twins = false;
     o->spread = (struct pel_point){0, 0};

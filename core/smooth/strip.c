@@ -50,7 +50,7 @@ int32_t pel_smooth_arc_at(const struct pel_smooth_circle *c, int32_t distance,
         return c->oval->at(c->oval, distance, down);
     const uint32_t r = (uint32_t)c->radius, d = (uint32_t)distance;
     int32_t shift = -c->shift; /* 0 from 256 px on */
-    if (distance >= c->radius || -distance >= c->radius)
+    if (distance >= c->radius)
         return 0;
     uint32_t n = r < 65536 ? (r * r - d * d) << 2 * c->shift
                            : square_at(c, distance, &shift);
@@ -65,6 +65,7 @@ void pel_smooth_circle_set(struct pel_smooth_circle *c, int32_t radius)
     const uint32_t r = (uint32_t)pel_max(radius, 1);
     c->radius = radius;
     c->oval = NULL;
+    c->reach = radius * 256;
     c->shift = 0;
     if (r < 65536)
         while (r * r << 2 * c->shift < UINT32_C(1) << 30)

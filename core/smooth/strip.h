@@ -30,7 +30,7 @@ struct pel_smooth_arc_piece {
 /* What an ellipse has of its own, whose arcs are seen as a circle's of its
  * upright radius. */
 struct pel_smooth_oval {
-    int32_t width; /* its other radius, 1/256 px */
+    int32_t reach; /* 2^-16 px, along x */
     /* How far from one axis the arc is at a distance from the other, 1/256 px:
      * from the upright one by what it is from the level one, or `down`. */
     int32_t (*at)(const struct pel_smooth_oval *oval, int32_t distance,
@@ -43,6 +43,7 @@ struct pel_smooth_oval {
 /* What belongs to a radius. */
 struct pel_smooth_circle {
     int32_t radius;   /* 1/256 px */
+    int32_t reach;    /* how far it is from the upright axis, 2^-16 px */
     int32_t shift;    /* of the square of the radius to 30..32 bits */
     uint32_t inverse; /* 2^28 / radius, from 40 px on; else 2^20 / radius */
     const struct pel_smooth_oval *oval; /* or NULL */
@@ -72,12 +73,6 @@ void pel_smooth_circle_set(struct pel_smooth_circle *circle, int32_t radius);
  * pel_smooth_oval. */
 int32_t pel_smooth_arc_at(const struct pel_smooth_circle *circle,
                           int32_t distance, bool down);
-
-/* How far from the upright axis it is at most. */
-static inline int32_t pel_smooth_reach(const struct pel_smooth_circle *circle)
-{
-    return (circle->oval ? circle->oval->width : circle->radius) * 256;
-}
 
 /* Of a line that moves so far in a row, px 2^-32. */
 struct pel_smooth_slope pel_smooth_slope_of(uint64_t step);

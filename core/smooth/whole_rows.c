@@ -6,43 +6,55 @@
 
 enum { MOST = 4 };
 
-/* The sides of a row, from left to right, and their columns. */
+/* The sides of a row, their columns, their bytes, and their order from left to
+ * right. Those out of sight take no bytes. */
 struct sides {
+    struct pel_smooth_visitor visitor; /* first */
+    const struct pel_rect *seen;
     int32_t n;
     struct pel_smooth_crossing side[MOST];
     struct pel_span columns[MOST];
+    int32_t bytes[MOST];
+    uint8_t order[MOST];
 };
 
-static void place(struct sides *s, const struct pel_smooth_crossing *c)
+/* One that does not cross a whole row counts as too many. */
+static void place(struct pel_smooth_visitor *sides,
+                  struct pel_smooth_crossing *c)
 {
+    struct sides *const s = (void *)sides;
     const struct pel_span columns = pel_smooth_crossing_columns(c);
-    int32_t i = s->n++;
-    for (; i > 0 && s->columns[i - 1].x0 > columns.x0; i--) {
-        s->columns[i] = s->columns[i - 1];
-        s->side[i] = s->side[i - 1];
+    const int32_t n = s->n;
+    if (n >= MOST || c->strip.far - c->strip.near != 65536) {
+        s->n = MOST + 1;
+        return;
     }
-    s->columns[i] = columns;
-    s->side[i] = *c;
+    int32_t i = s->n++;
+    for (; i > 0 && s->columns[s->order[i - 1]].x0 > columns.x0; i--)
+        s->order[i] = s->order[i - 1];
+    s->order[i] = (uint8_t)n;
+    s->side[n] = *c;
+    s->columns[n] = columns;
+    s->bytes[n] = columns.x0 < s->seen->x1 && columns.x1 > s->seen->x0
+                      ? columns.x1 - columns.x0
+                      : 0;
 }
 
 /* False: the row is another one. */
 static bool find_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
 {
-    const int32_t count = pel_smooth_crossings(o);
+    int32_t end = INT32_MIN;
     s->n = 0;
-    for (int32_t i = 0; i < count; i++) {
-        struct pel_smooth_crossing c;
-        if (!pel_smooth_crossing_find(o, y, i, &c))
-            continue;
-        if (s->n == MOST || c.strip.far - c.strip.near != 65536)
+    pel_smooth_visit(o, y, &s->visitor);
+    if (s->n % 2 == 1 || s->n == 0)
+        return false;
+    for (int32_t i = 0; i < s->n; i++) {
+        const int32_t k = s->order[i];
+        if (s->side[k].rising == (i & 1) || end > s->columns[k].x0)
             return false;
-        place(s, &c);
+        end = s->columns[k].x1;
     }
-    for (int32_t i = 0; i < s->n; i++)
-        if (s->side[i].rising == (i & 1) ||
-            (i > 0 && s->columns[i - 1].x1 > s->columns[i].x0))
-            return false;
-    return s->n > 0 && s->n % 2 == 0;
+    return true;
 }
 
 /* Writes the coverage of a side's pixels, of what is outside where flip is all
@@ -53,7 +65,8 @@ static void cover(struct pel_smooth_crossing *c, struct pel_span columns,
     struct pel_smooth_arc_piece piece = {0, 0, INT32_MIN, 0};
     const uint32_t flip = c->left == c->rising ? 0 : ~UINT32_C(0);
     const int32_t step = c->left ? -1 : 1;
-    int32_t n = columns.x1 - columns.x0, x = c->left ? -columns.x1 : columns.x0;
+    int32_t n = columns.x1 - columns.x0;
+    int32_t x = c->left ? -columns.x1 : columns.x0;
     to += c->left ? n - 1 : 0;
     pel_smooth_strip_set(&c->strip);
     for (; n > 0; n--, x++, to += step) {
@@ -70,15 +83,7 @@ struct rows {
     int32_t sides;
 };
 
-/* Bytes that a side takes; one out of sight takes none. */
-static int32_t bytes_of(const struct sides *s, int32_t i,
-                        const struct pel_rect *seen)
-{
-    const struct pel_span *const c = &s->columns[i];
-    return c->x0 < seen->x1 && c->x1 > seen->x0 ? c->x1 - c->x0 : 0;
-}
-
-/* Is side i the image of one on the left, column by column? */
+/* Is side b the image of a, column by column? */
 static bool is_image(const struct pel_smooth_crossing *a,
                      const struct pel_smooth_crossing *b)
 {
@@ -86,41 +91,48 @@ static bool is_image(const struct pel_smooth_crossing *a,
            !b->left && ((a->center ^ b->center) & 255) == 0;
 }
 
-static void put_sides(struct rows *r, struct sides *s,
-                      const struct pel_rect *seen)
+/* The bytes of side i from the left. */
+static void put_side(struct sides *s, int32_t i, uint8_t *to,
+                     uint8_t *const from[MOST])
+{
+    const int32_t k = s->order[i], n = s->bytes[k];
+    const int32_t image = s->order[s->n - 1 - i];
+    if (2 * i < s->n || s->bytes[image] == 0 ||
+        !is_image(&s->side[image], &s->side[k])) {
+        if (n > 0)
+            cover(&s->side[k], s->columns[k], to);
+        return;
+    }
+    const uint8_t *end = from[s->n - 1 - i] + n;
+    for (int32_t left = n; left > 0; left--)
+        *to++ = *--end;
+}
+
+static void put_sides(struct rows *r, struct sides *s)
 {
     uint8_t *from[MOST];
     for (int32_t i = 0; i < s->n; i++) {
         struct pel_smooth_batch *const b = &r->batch[i / 2];
-        const int32_t n = bytes_of(s, i, seen), other = s->n - 1 - i;
+        const int32_t k = s->order[i], at = 2 * b->n + i % 2;
         from[i] = r->to[i / 2];
-        r->to[i / 2] += n;
-        b->count[2 * b->n + i % 2] = (uint8_t)n;
-        b->at.x[2 * b->n + i % 2] = i % 2 ? s->columns[i].x0 : s->columns[i].x1;
-        if (n == 0)
-            continue;
-        if (other < i && bytes_of(s, other, seen) > 0 &&
-            is_image(&s->side[other], &s->side[i]))
-            for (int32_t k = 0; k < n; k++)
-                from[i][k] = from[other][n - 1 - k];
-        else
-            cover(&s->side[i], s->columns[i], from[i]);
+        r->to[i / 2] += s->bytes[k];
+        b->count[at] = (uint8_t)s->bytes[k];
+        b->at.x[at] = i % 2 ? s->columns[k].x0 : s->columns[k].x1;
+        put_side(s, i, from[i], from);
     }
     r->batch[0].n++;
     r->batch[1].n++;
 }
 
 /* Adds a row, if there is room. */
-static bool add_row(struct rows *r, struct sides *s,
-                    const struct pel_smooth_outline *o)
+static bool add_row(struct rows *r, struct sides *s)
 {
     for (int32_t i = 0; i < s->n; i += 2)
-        if (r->to[i / 2] + bytes_of(s, i, &o->seen) +
-                bytes_of(s, i + 1, &o->seen) >
+        if (r->to[i / 2] + s->bytes[s->order[i]] + s->bytes[s->order[i + 1]] >
             r->batch[i / 2].coverage + PEL_SMOOTH_BATCH_BYTES)
             return false;
     r->sides = s->n;
-    put_sides(r, s, &o->seen);
+    put_sides(r, s);
     return true;
 }
 
@@ -128,6 +140,8 @@ static PEL_NOINLINE_32 void find_rows(struct pel_smooth_outline *o, int32_t y,
                                       int32_t end, struct rows *r)
 {
     struct sides s;
+    s.visitor.visit = place;
+    s.seen = &o->seen;
     for (int i = 0; i < 2; i++) {
         r->batch[i].y = y;
         r->batch[i].n = 0;
@@ -136,7 +150,7 @@ static PEL_NOINLINE_32 void find_rows(struct pel_smooth_outline *o, int32_t y,
     r->sides = 0;
     while (y < end && r->batch[0].n < PEL_SMOOTH_BATCH_ROWS &&
            find_sides(o, y, &s) && (r->sides == 0 || s.n == r->sides) &&
-           add_row(r, &s, o))
+           add_row(r, &s))
         y++;
 }
 
