@@ -83,8 +83,9 @@ static bool find_line(struct pel_smooth_outline *outline, int32_t y, int32_t i,
 static void set_line(struct pel_smooth_line *l, struct pel_point d)
 {
     const struct pel_point zero = {0, 0};
+    struct pel_rise rise;
     const struct pel_point down = {d.y < 0 ? -d.x : d.x, pel_magnitude(d.y)};
-    l->step = pel_smooth_step(&zero, &down);
+    l->step = pel_smooth_slope(&zero, &down, &rise);
     const uint64_t size = (uint64_t)pel_size_of(l->step);
     l->slope = pel_smooth_slope_of(size);
     l->row = (int32_t)((l->top.y + 65535) >> 16);
