@@ -37,36 +37,16 @@ void pel_frame_texels(const struct pel_frame *frame,
         corner[i].z = frame->projector.one ? 1 : t->corner[i]->z;
 }
 
-static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
-                   int32_t n, pel_color *out)
-{
-    const struct pel_modulated *p = (const void *)paint;
-    const struct pel_gouraud *g = &p->factor;
-    uint32_t v[4];
-    p->surface->colors(p->surface, x, y, n, out);
-    for (int k = 0; k < 4; k++)
-        v[k] = g->at[k] + (uint32_t)x * g->dx[k] + (uint32_t)y * g->dy[k];
-    for (; n > 0; n--, out++) {
-        pel_color color = 0;
-        for (int k = 0; k < 4; k++) {
-            color |= pel_round_div255((*out >> 8 * k & 255) * (v[k] >> 24))
-                     << 8 * k;
-            v[k] += g->dx[k];
-        }
-        *out = color;
-    }
-}
-
 const struct pel_paint *pel_frame_modulate(
     struct pel_frame *frame, const struct pel_color_paint *surface,
     const pel_color color[3])
 {
-    struct pel_modulated *p = &frame->work->paint.modulated;
+    struct pel_shaded *p = &frame->work->paint.shaded;
     if ((color[0] & color[1] & color[2]) == UINT32_C(0xFFFFFFFF))
         return &surface->paint;
     p->surface = surface;
-    pel_color_paint_init(&p->base, colors, frame->opaque);
-    pel_frame_gouraud(frame, color, &p->factor);
+    pel_color_paint_init(&p->base, pel_modulated_colors, frame->opaque);
+    pel_frame_gouraud(frame, color, &p->colors);
     return &p->base.paint;
 }
 

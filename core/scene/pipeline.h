@@ -34,7 +34,7 @@
 PEL_BEGIN_DECLS
 
 /* Bytes of scratch memory for a frame of the scene: 16 a vertex, 8 a triangle,
- * 40 a light, and 1,200 to 1,600; for constant expressions, without a sort that
+ * 40 a light, and 1,800 to 2,000; for constant expressions, without a sort that
  * needs more, and as a function: 0 without a mesh. */
 #define PEL_SCENE_SCRATCH_SIZE(vertices, triangles, lights)         \
     (((sizeof(struct pel_frame_work) + 7) & ~PEL_CAST(size_t, 7)) + \

@@ -22,7 +22,10 @@ enum pel_method {
  * surface is within a quarter of the tolerance. */
 extern const struct pel_shading pel_shade_chosen;
 
-/* Its `start`. */
+/* The same as pel_perspective_phong (perspective.h). */
+extern const struct pel_shading pel_perspective_chosen;
+
+/* Their `start`. */
 enum pel_status pel_frame_start_chosen(struct pel_frame *frame);
 
 /* Maps as pel_map_perspective to scene->texel_tolerance: affine, or divided

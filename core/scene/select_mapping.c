@@ -33,15 +33,15 @@ static uint64_t slope_of(const struct pel_plane *plane)
 static bool is_span(const struct pel_perspective *p, int bits, uint64_t least,
                     int32_t room)
 {
-    const uint64_t a = slope_of(&p->w) << bits;
+    const uint64_t a = slope_of(&p->divided.w) << bits;
     if (2 * a > least)
         return false;
     const uint64_t near = least - a;
     for (int k = 0; k < 2; k++) {
-        const uint64_t change = (slope_of(&p->uv[k]) << bits) + a + a / 2;
+        const uint64_t change = (slope_of(&p->uv[k].plane) << bits) + a + a / 2;
         /* change a 2^extent texels 2^-16 <= 4 room near^2, room 2^-8 */
         const uint64_t most = (near * near * (uint32_t)room >> 4 << 14);
-        if (change * a > most >> p->extent[k])
+        if (change * a > most >> p->uv[k].extent)
             return false;
     }
     return true;
@@ -64,8 +64,8 @@ static const struct pel_color_paint *surface(struct pel_frame *frame)
     /* The least w is near / far. */
     const uint64_t least =
         pel_divide((uint64_t)(uint32_t)near << 16, (uint32_t)far);
-    while (p->span > 0 && !is_span(p, p->span, least, room))
-        p->span--;
+    while (p->divided.span > 0 && !is_span(p, p->divided.span, least, room))
+        p->divided.span--;
     return &p->base;
 }
 

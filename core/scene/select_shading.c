@@ -6,12 +6,16 @@
  * right to 1/64; a texture's factors are rounded once more. */
 enum { GOURAUD_ERROR = 128 + 4, FACTOR_ERROR = 128 };
 
+/* Colors in perspective, of vertices and of light at pixels: 1/4 step each. */
+enum { DIVISION_ERROR = 128 };
+
 /* The change of light in a pixel, of both terms, is cut to 2^-16: seven times
  * in a span. */
 enum { SPAN_ERROR = 16 };
 
 /* What a triangle's paint is chosen by. */
 struct choice {
+    const struct pel_division *division; /* NULL: all is linear on screen */
     const struct pel_color_paint *surface;
     pel_color lit[3], own[3]; /* the vertices' colors */
     struct pel_light_bounds bounds;
@@ -32,8 +36,9 @@ static const struct pel_paint *try_vertices(struct pel_frame *frame,
                                             const struct choice *c)
 {
     const struct pel_color_ranges lit = pel_color_ranges_of(c->lit);
-    const uint64_t bound =
-        c->bounds.plane + GOURAUD_ERROR + (c->surface ? FACTOR_ERROR : 0);
+    const uint64_t bound = c->bounds.plane + GOURAUD_ERROR +
+                           (c->surface ? FACTOR_ERROR : 0) +
+                           (c->division ? DIVISION_ERROR : 0);
     const uint64_t range = (uint32_t)(lit.range + 1) / 2 * 256;
     const uint64_t room = (uint32_t)frame->tolerance;
     if (bound > room || lit.cut ||
@@ -45,7 +50,9 @@ static const struct pel_paint *try_vertices(struct pel_frame *frame,
         return pel_frame_flat_paint(frame, c->surface, lit.middle);
     }
     note(frame, PEL_METHOD_GOURAUD, bound);
-    return pel_frame_gouraud_paint(frame, c->surface, c->lit);
+    const struct pel_paint *paint =
+        c->division ? c->division->gouraud(frame, c->surface, c->lit) : NULL;
+    return paint ? paint : pel_frame_gouraud_paint(frame, c->surface, c->lit);
 }
 
 /* The part of an edge that a pixel to the right is, 2^-16: rounded up, by more
@@ -60,36 +67,40 @@ static uint32_t edge_part(const struct pel_plane_setup *s)
            1;
 }
 
-/* Light at the ends of the longest spans, up to 1/4 edge, that are good enough;
- * NULL where none is. */
-static const struct pel_paint *try_spans(struct pel_frame *frame,
-                                         const struct choice *c)
+/* Light at the ends of the longest spans, up to 1/4 edge, that are good enough,
+ * or at every pixel, as it is where values are divided. */
+static const struct pel_paint *light_pixels(struct pel_frame *frame,
+                                            const struct choice *c)
 {
+    struct pel_shaded *p = &frame->work->paint.shaded;
+    const struct pel_paint *paint =
+        pel_phong_paint(frame, c->surface, c->own, c->division);
     const uint64_t room = (uint32_t)frame->tolerance - SPAN_ERROR;
     const uint32_t part = edge_part(pel_frame_setup(frame));
-    for (int bits = PEL_PHONG_SPAN_MOST; bits > 0; bits--) {
+    note(frame, PEL_METHOD_PHONG, 0);
+    for (int bits = PEL_SHADE_SPAN_MOST; bits > 0; bits--) {
         if (part >= 16384u >> bits)
             continue;
         const uint64_t bound = pel_light_span_bound(&c->bounds, part << bits);
-        if (bound > room)
+        if (bound > room || paint != &p->base.paint)
             continue;
-        struct pel_phong *phong = pel_phong_paint(frame, c->surface, c->own);
-        phong->base.colors = pel_phong_spans;
-        phong->span = (uint8_t)bits;
+        p->base.colors = pel_spans_colors;
+        p->span = (uint8_t)bits;
         note(frame, PEL_METHOD_SPANS, bound + SPAN_ERROR);
-        return &phong->base.paint;
+        break;
     }
-    return NULL;
+    return paint;
 }
 
 /* Twice the area, 1/65,536 px, of two pixels: these take less than their bound
  * does. */
 enum { FEW_PIXELS = 2 * 2 * 65536 };
 
-static const struct pel_paint *chosen_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface)
+static const struct pel_paint *choose(struct pel_frame *frame,
+                                      const struct pel_color_paint *surface,
+                                      const struct pel_division *division)
 {
-    struct choice c = {.surface = surface};
+    struct choice c = {.division = division, .surface = surface};
     const struct pel_paint *paint = NULL;
     uint8_t notes[3];
     pel_frame_colors(frame, c.lit);
@@ -102,13 +113,22 @@ static const struct pel_paint *chosen_paint(
         pel_frame_setup(frame)->area >= FEW_PIXELS &&
         pel_light_bound(frame, notes, c.own, &c.bounds)) {
         paint = try_vertices(frame, &c);
-        if (!paint)
-            paint = try_spans(frame, &c);
+        return paint ? paint : light_pixels(frame, &c);
     }
-    if (paint)
-        return paint;
     note(frame, PEL_METHOD_PHONG, 0);
-    return &pel_phong_paint(frame, surface, c.own)->base.paint;
+    return pel_phong_paint(frame, surface, c.own, division);
+}
+
+static const struct pel_paint *chosen_paint(
+    struct pel_frame *frame, const struct pel_color_paint *surface)
+{
+    return choose(frame, surface, NULL);
+}
+
+static const struct pel_paint *divided_paint(
+    struct pel_frame *frame, const struct pel_color_paint *surface)
+{
+    return choose(frame, surface, &pel_division);
 }
 
 /* What a light may add to a channel, 1/256 step: 255/256 of the sum of its
@@ -141,3 +161,5 @@ enum pel_status pel_frame_start_chosen(struct pel_frame *frame)
 
 const struct pel_shading pel_shade_chosen = {pel_frame_start_chosen,
                                              pel_light_note, chosen_paint};
+const struct pel_shading pel_perspective_chosen = {
+    pel_frame_start_chosen, pel_light_note, divided_paint};

@@ -159,8 +159,8 @@ enum pel_status pel_frame_start_light(struct pel_frame *frame)
                                              : PEL_ERROR_NULL;
 }
 
-static pel_color light_vertex(const struct pel_frame *frame, uint32_t vertex,
-                              pel_color surface)
+pel_color pel_frame_light_vertex(const struct pel_frame *frame, uint32_t vertex,
+                                 pel_color surface)
 {
     const struct pel_mesh *mesh = frame->scene->mesh;
     struct pel_light_sum sum;
@@ -171,5 +171,5 @@ static pel_color light_vertex(const struct pel_frame *frame, uint32_t vertex,
     return pel_lit_color(&sum, surface);
 }
 
-const struct pel_shading pel_shade_lit_gouraud = {pel_frame_start_light,
-                                                  light_vertex, gouraud_paint};
+const struct pel_shading pel_shade_lit_gouraud = {
+    pel_frame_start_light, pel_frame_light_vertex, gouraud_paint};

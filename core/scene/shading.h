@@ -8,18 +8,11 @@
 #include "depth.h"
 #include "light.h"
 #include "paint_perspective.h"
-#include "paint_phong.h"
 #include "scene.h"
+#include "shaded.h"
+#include "perspective.h"
 
 PEL_BEGIN_DECLS
-
-/* A paint that modulates: colors of `surface` times those of `factor`, as
- * 0..1, alphas too. */
-struct pel_modulated {
-    struct pel_color_paint base;
-    const struct pel_color_paint *surface;
-    struct pel_gouraud factor;
-};
 
 struct pel_frame_vertex {
     struct pel_projected at;
@@ -43,9 +36,9 @@ struct pel_frame_work {
     union {
         struct pel_flat flat;
         struct pel_gouraud gouraud;
-        struct pel_modulated modulated;
-        struct pel_phong phong;
+        struct pel_shaded shaded;
     } paint;
+    struct pel_divided_triangle divided;
     struct pel_perspective perspective;
     struct pel_depth_paint depth;
     struct pel_clip clip;
@@ -162,18 +155,23 @@ extern const struct pel_shading pel_shade_gouraud;
 extern const struct pel_shading pel_shade_lit_flat;
 extern const struct pel_shading pel_shade_lit_gouraud;
 
-/* For shadings with light: `start`, and what `vertex` does. */
+/* Their `start` and `vertex`; and `start` of all that need normals. */
 enum pel_status pel_frame_start_light(struct pel_frame *frame);
+pel_color pel_frame_light_vertex(const struct pel_frame *frame, uint32_t vertex,
+                                 pel_color surface);
 
 /* Light at every pixel: normal, position and surface color are linear on
- * screen, the normal scaled to length 1 without a division. Where opposite
- * normals cancel out there is ambient light alone. */
+ * screen, the normal scaled to length 1
+ * without a division. Where opposite normals cancel out there is ambient light
+ * alone. */
 extern const struct pel_shading pel_shade_phong;
 
-/* Its paint, of a triangle whose vertices have these surface colors. */
-struct pel_phong *pel_phong_paint(struct pel_frame *frame,
-                                  const struct pel_color_paint *surface,
-                                  const pel_color color[3]);
+/* Its paint, of a triangle whose vertices have these surface colors; in
+ * perspective, where that is not NULL. */
+const struct pel_paint *pel_phong_paint(struct pel_frame *frame,
+                                        const struct pel_color_paint *surface,
+                                        const pel_color color[3],
+                                        const struct pel_division *division);
 
 /* pel_texture_init_nearest or pel_texture_init_bilinear. */
 typedef enum pel_status pel_sampler(struct pel_texture *paint,

@@ -19,8 +19,11 @@ struct drawing {
 static void any_drawing(struct random *r, struct drawing *d)
 {
     static const struct pel_shading *const shading[] = {
-        &pel_shade_flat,        &pel_shade_gouraud, &pel_shade_lit_flat,
-        &pel_shade_lit_gouraud, &pel_shade_phong,   &pel_shade_chosen};
+        &pel_shade_flat,          &pel_shade_gouraud,
+        &pel_shade_lit_flat,      &pel_shade_lit_gouraud,
+        &pel_shade_phong,         &pel_shade_chosen,
+        &pel_perspective_gouraud, &pel_perspective_lit_gouraud,
+        &pel_perspective_phong,   &pel_perspective_chosen};
     static const struct pel_mapping *const mapping[] = {
         &pel_map_affine, &pel_map_perspective, &pel_map_vertices,
         &pel_map_chosen};
@@ -34,7 +37,7 @@ static void any_drawing(struct random *r, struct drawing *d)
         if (random_word(r) % 2)
             d->s.texture.sampler = pel_texture_init_nearest;
     }
-    scene->shading = shading[random_word(r) % 6];
+    scene->shading = shading[random_word(r) % 10];
     scene->tolerance = scene->texel_tolerance = random_between(r, 0, 2048);
     scene->cull = (enum pel_cull)(random_word(r) % 3);
     scene->transparency = random_word(r) % 2 ? 0 : (uint8_t)random_word(r);

@@ -88,21 +88,19 @@ static void mix(const real w[3], const real *const v[3], int n, real *out)
         out[k] = w[0] * v[0][k] + w[1] * v[1][k] + w[2] * v[2][k];
 }
 
-/* u and v at weights that are linear on screen. */
-static void uv_at(const struct picture *p, const struct seen *v,
-                  const real weight[3], real uv[2])
+/* Weights that are linear in the world, from those on screen. */
+static void set_world(const struct picture *p, const struct seen *v,
+                      const real weight[3], real w[3])
 {
-    real w[3], sum = 0;
-    const bool linear = p->s.texture.mapping == &pel_map_affine ||
-                        p->s.scene.camera.projection == PEL_ORTHOGRAPHIC;
+    real sum = 0;
     for (int i = 0; i < 3; i++) {
-        w[i] = linear ? weight[i] : weight[i] / v[i].screen[2];
+        w[i] = weight[i];
+        if (p->s.scene.camera.projection != PEL_ORTHOGRAPHIC)
+            w[i] /= v[i].screen[2];
         sum += w[i];
     }
     for (int i = 0; i < 3; i++)
         w[i] /= sum;
-    const real *const uvs[3] = {v[0].uv, v[1].uv, v[2].uv};
-    mix(w, uvs, 2, uv);
 }
 
 static void facet_normal(const struct seen v[3], real normal[3])
@@ -116,17 +114,24 @@ static void facet_normal(const struct seen v[3], real normal[3])
 }
 
 static void color_at(const struct picture *p, uint32_t triangle,
-                     const real w[3], real out[3])
+                     const real screen[3], real out[3])
 {
     const struct pel_scene *scene = &p->s.scene;
     const struct seen *v = &p->vertex[3 * triangle];
     const bool facet = scene->shading == &pel_shade_lit_flat;
     const bool flat = facet || scene->shading == &pel_shade_flat;
     const real third[3] = {1.0L / 3, 1.0L / 3, 1.0L / 3};
-    real surface[3], uv[2], place[3], normal[3];
+    const bool divided = scene->shading == &pel_perspective_gouraud ||
+                         scene->shading == &pel_perspective_lit_gouraud ||
+                         scene->shading == &pel_perspective_phong;
+    const bool affine = p->s.texture.mapping == &pel_map_affine;
+    real surface[3], uv[2], place[3], normal[3], world[3];
+    const real *const w = divided ? world : screen;
+    const real *const uvs[3] = {v[0].uv, v[1].uv, v[2].uv};
     const real *const colors[3] = {v[0].color, v[1].color, v[2].color};
     const real *const places[3] = {v[0].place, v[1].place, v[2].place};
     const real *const normals[3] = {v[0].normal, v[1].normal, v[2].normal};
+    set_world(p, v, screen, world);
     mix(flat ? third : w, colors, 3, out);
     if (facet) {
         const real own[3] = {out[0], out[1], out[2]};
@@ -135,7 +140,7 @@ static void color_at(const struct picture *p, uint32_t triangle,
         reference_light(scene, place, normal, own, out);
     }
     if (scene->texture) {
-        uv_at(p, v, w, uv);
+        mix(affine ? screen : world, uvs, 2, uv);
         reference_texel(scene->texture, uv[0], uv[1], true, surface);
         for (int k = 0; k < 3; k++)
             out[k] *= surface[k] / 255;
@@ -210,8 +215,10 @@ static void check_pictures(uint64_t count, dressing *dress, int32_t tolerance)
     for (struct cases c = cases_of(count); cases_next(&c);) {
         any_scene(&c.random, &p.s, SIDE);
         dress(&c.random, &p);
-        p.lit = p.s.scene.shading == &pel_shade_lit_gouraud;
+        p.lit = p.s.scene.shading == &pel_shade_lit_gouraud ||
+                p.s.scene.shading == &pel_perspective_lit_gouraud;
         p.phong = p.s.scene.shading == &pel_shade_phong ||
+                  p.s.scene.shading == &pel_perspective_phong ||
                   p.s.scene.shading == &pel_shade_chosen;
         draw(&p, &p.colors);
         const struct pel_shading *shading = p.s.scene.shading;
@@ -266,6 +273,17 @@ static void dress_texture(struct random *r, struct picture *p)
         p->s.texture.mapping = &pel_map_affine;
 }
 
+static void dress_perspective(struct random *r, struct picture *p)
+{
+    static const struct pel_shading *const shading[] = {
+        &pel_perspective_gouraud, &pel_perspective_lit_gouraud,
+        &pel_perspective_phong};
+    dress_texture(r, p);
+    if (random_word(r) % 2)
+        p->s.scene.texture = NULL;
+    p->s.scene.shading = shading[random_word(r) % 3];
+}
+
 TEST(colors_of_vertices)
 {
     check_pictures(1500, dress_vertices, 1);
@@ -284,4 +302,9 @@ TEST(chosen)
 TEST(textures)
 {
     check_pictures(1000, dress_texture, 2);
+}
+
+TEST(perspective)
+{
+    check_pictures(1000, dress_perspective, 2);
 }

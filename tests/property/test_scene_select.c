@@ -65,8 +65,12 @@ static void any_dress(struct random *r, struct any_scene *s)
         s->texture.mapping = &pel_map_vertices;
 }
 
+/* Every other soup in perspective. */
 TEST(soups)
 {
+    static const struct pel_shading *const all[2][2] = {
+        {&pel_shade_phong, &pel_shade_chosen},
+        {&pel_perspective_phong, &pel_perspective_chosen}};
     static struct any_scene s;
     static struct canvas exact, chosen;
     struct pel_frame frame;
@@ -74,12 +78,13 @@ TEST(soups)
     for (struct cases c = cases_of(400); cases_next(&c);) {
         any_scene(&c.random, &s, SIDE);
         any_dress(&c.random, &s);
-        any_scene_draw(&s, &pel_shade_phong, &frame, &exact);
+        const struct pel_shading *const *pair = all[random_word(&c.random) % 2];
+        any_scene_draw(&s, pair[0], &frame, &exact);
         if (s.texture.mapping == &pel_map_perspective)
             s.texture.mapping = &pel_map_chosen;
         for (int i = 0; i < 5; i++) {
             s.scene.tolerance = tolerances[i] * 256;
-            any_scene_draw(&s, &pel_shade_chosen, &frame, &chosen);
+            any_scene_draw(&s, pair[1], &frame, &chosen);
             lights += s.lighting.lights - frame.lights.count;
             const int32_t off = canvas_difference(&exact, &chosen);
             worst[i] = pel_max(worst[i], off);
@@ -169,7 +174,7 @@ TEST(places_in_textures)
             any_scene_draw(&s, &pel_shade_gouraud, &frame, &chosen);
             const int32_t off = canvas_difference(&exact, &chosen);
             worst[i] = pel_max(worst[i], off);
-            spans += frame.work->perspective.span > 0;
+            spans += frame.work->perspective.divided.span > 0;
             if (off > tolerances[i] + 1)
                 fail_msg("%d texels off with tolerance %d; %s", off,
                          tolerances[i], cases_replay());

@@ -1,4 +1,4 @@
-#include "paint_phong.h"
+#include "shaded.h"
 
 /* v / 2^bits, cut towards 0: light stays between that of the two ends. */
 static inline int32_t part_of(int32_t v, int bits)
@@ -32,32 +32,32 @@ static inline void go_on(struct pel_light_sum *sum,
 }
 
 /* Not inlined: its stack is free while the surface computes its colors. */
-static PEL_NOINLINE void light(const struct pel_phong *p, int32_t x, int32_t y,
+static PEL_NOINLINE void light(const struct pel_shaded *p, int32_t x, int32_t y,
                                int32_t n, pel_color *out)
 {
     const int32_t span = (int32_t)(UINT32_C(1) << p->span);
     const pel_color *end = out + n;
     struct pel_light_sum from, to, step;
-    struct pel_phong_row row;
+    struct pel_shaded_row row;
     int32_t begin = x & -span; /* of the span that x is in */
-    pel_phong_start(&row, p, x, begin, y);
-    pel_phong_light(&row, p, p->span, &to);
+    pel_shaded_start(&row, p, x, begin, y);
+    pel_shaded_light(&row, p, p->span, &to);
     while (out < end) {
         from = to;
-        pel_phong_light(&row, p, p->span, &to);
+        pel_shaded_light(&row, p, p->span, &to);
         set_line(&from, &to, p->span, x - begin, &step);
         begin += span;
         for (; x < begin && out < end; x++, out++) {
-            *out = pel_phong_color(&row, p, &from, *out);
+            *out = pel_shaded_color(&row, p, &from, *out);
             go_on(&from, &step);
         }
     }
 }
 
-void pel_phong_spans(const struct pel_color_paint *paint, int32_t x, int32_t y,
-                     int32_t n, pel_color *out)
+void pel_spans_colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
+                      int32_t n, pel_color *out)
 {
-    const struct pel_phong *p = (const void *)paint;
-    pel_phong_surface(p, x, y, n, out);
+    const struct pel_shaded *p = (const void *)paint;
+    pel_shaded_surface(p, x, y, n, out);
     light(p, x, y, n, out);
 }
