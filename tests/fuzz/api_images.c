@@ -55,6 +55,7 @@ static void text(struct api *a, const struct pel_surface *surface,
     if (pel_font_asset_check(&font) != PEL_OK)
         return;
     pel_text(surface, &block, paint);
+    pel_text_scaled(surface, &block, 1 + (at.x & 15), paint);
     pel_text_measure(&font, string);
 }
 
