@@ -46,30 +46,22 @@ static int64_t line_at(struct pel_smooth_line *l, int32_t y)
     return l->at >> 16;
 }
 
-/* Where a line may be too wide: its upper half, or the lower one. */
-static void cut_in_half(struct pel_smooth_far_place *top,
-                        struct pel_smooth_far_place *bottom, int32_t lower)
-{
-    struct pel_smooth_far_place *const end = lower ? top : bottom;
-    const struct pel_smooth_far_place middle = {(top->x + bottom->x) >> 1,
-                                                (top->y + bottom->y) >> 1};
-    *end = middle;
-}
-
-/* A line, or a half of one. */
+/* A line, or the upper or lower half of one that may be too wide. */
 static bool find_line(struct pel_smooth_outline *outline, int32_t y, int32_t i,
                       struct pel_smooth_crossing *c)
 {
     struct pel_smooth_lines *const lines = (void *)outline;
     struct pel_smooth_line *const l = &lines->line[lines->wide ? i >> 1 : i];
-    struct pel_smooth_far_place top = l->top, bottom = l->bottom;
+    const struct pel_smooth_far_place *top = &l->top, *bottom = &l->bottom;
+    const struct pel_smooth_far_place middle = {(top->x + bottom->x) >> 1,
+                                                (top->y + bottom->y) >> 1};
     const int64_t row = (int64_t)y * 65536;
     if (lines->wide)
-        cut_in_half(&top, &bottom, i & 1);
-    if (!pel_smooth_upright(c, y, top.y, bottom.y))
+        *(i & 1 ? &top : &bottom) = &middle;
+    if (!pel_smooth_upright(c, y, top->y, bottom->y))
         return false;
-    const int64_t a = top.y < row ? line_at(l, y) : top.x;
-    const int64_t b = bottom.y > row + 65536 ? line_at(l, y + 1) : bottom.x;
+    const int64_t a = top->y < row ? line_at(l, y) : top->x;
+    const int64_t b = bottom->y > row + 65536 ? line_at(l, y + 1) : bottom->x;
     const int64_t first = a < b ? a : b, last = a < b ? b : a;
     c->strip.slope = l->slope;
     c->center = (int32_t)(first >> 8);

@@ -60,6 +60,8 @@ static void visit_half(const struct pel_smooth_outline *o,
     if (near >= far || far <= 0)
         return;
     s->circle = &b->circle;
+    c.below = below;
+    c.other = -1;
     for (int32_t k = 0; k < b->count; k++) {
         const int32_t quadrant = (b->first + k) & 3;
         if ((quadrant < 2) != below)
@@ -91,6 +93,7 @@ void pel_smooth_visit(struct pel_smooth_outline *o, int32_t y,
     }
     for (int32_t i = 0; i < o->others; i++) {
         struct pel_smooth_crossing c;
+        c.other = (int8_t)i;
         if (o->other(o, y, i, &c))
             visitor->visit(visitor, &c);
     }

@@ -30,6 +30,8 @@ struct pel_smooth_crossing {
     struct pel_smooth_strip strip; /* but for what pel_smooth_strip_set sets */
     int32_t center;
     bool left, rising;
+    bool below;   /* of a circle: of its lower half */
+    int8_t other; /* the number of a side that is none of a circle's; or -1 */
 };
 
 struct pel_smooth_outline {
