@@ -31,10 +31,10 @@ struct pel_smooth_line {
 bool pel_smooth_cut(struct pel_smooth_strip *strip,
                     const struct pel_smooth_bow *bow, int32_t k, bool upright);
 
-/* Two sides of an outline. */
+/* An outline with two of them. */
 struct pel_smooth_lines {
     struct pel_smooth_outline outline; /* first */
-    struct pel_smooth_line line[2];
+    struct pel_smooth_line *line;
     bool wide; /* a row may hold more than the range of a strip */
 };
 

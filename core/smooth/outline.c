@@ -49,9 +49,10 @@ static void go_to(const struct pel_smooth_outline *o, struct pel_smooth_bow *b,
 /* What the upper half of a circle, or the lower one, has in a row, whose top is
  * so far below its upper centres. Places a unit outside of the circle do not
  * matter. */
-static void visit_half(const struct pel_smooth_outline *o,
-                       const struct pel_smooth_bow *b, int32_t down, bool below,
-                       struct pel_smooth_visitor *visitor)
+static PEL_NOINLINE_32 void visit_half(const struct pel_smooth_outline *o,
+                                       const struct pel_smooth_bow *b,
+                                       int32_t down, bool below,
+                                       struct pel_smooth_visitor *visitor)
 {
     struct pel_smooth_crossing c;
     struct pel_smooth_strip *const s = &c.strip;
@@ -79,6 +80,18 @@ static void visit_half(const struct pel_smooth_outline *o,
     }
 }
 
+/* Apart from the others, for less stack. */
+static PEL_NOINLINE void visit_others(struct pel_smooth_outline *o, int32_t y,
+                                      struct pel_smooth_visitor *visitor)
+{
+    struct pel_smooth_crossing c;
+    for (int32_t i = 0; i < o->others; i++) {
+        c.other = (int8_t)i;
+        if (o->other(o, y, i, &c))
+            visitor->visit(visitor, &c);
+    }
+}
+
 void pel_smooth_visit(struct pel_smooth_outline *o, int32_t y,
                       struct pel_smooth_visitor *visitor)
 {
@@ -91,12 +104,7 @@ void pel_smooth_visit(struct pel_smooth_outline *o, int32_t y,
         visit_half(o, b, down, false, visitor);
         visit_half(o, b, down, true, visitor);
     }
-    for (int32_t i = 0; i < o->others; i++) {
-        struct pel_smooth_crossing c;
-        c.other = (int8_t)i;
-        if (o->other(o, y, i, &c))
-            visitor->visit(visitor, &c);
-    }
+    visit_others(o, y, visitor);
 }
 
 /* Some columns of a row, in which the areas right of its sides are added up. */

@@ -40,8 +40,14 @@ static PEL_NOINLINE void set_bow(struct pel_smooth_bow *b,
 /* The outline: both circles, with an end behind the first one and the second.
  */
 struct tour {
-    struct pel_smooth_lines lines; /* first: cut ends */
-    struct pel_smooth_bow bow[4];
+    struct pel_smooth_lines lines; /* first */
+    union {
+        struct pel_smooth_bow bow[4];
+        struct {
+            struct pel_smooth_bow bow[2];
+            struct pel_smooth_line line[2];
+        } cut;
+    } of;
 };
 
 static void set_half(struct pel_smooth_bow *b, const struct pel_arc_shape *arc,
@@ -92,9 +98,10 @@ static PEL_NOINLINE void set_tour(struct tour *t,
                                   struct pel_angles angles, bool round)
 {
     struct pel_smooth_outline *const o = &t->lines.outline;
-    struct pel_smooth_bow *const outer = t->bow;
+    struct pel_smooth_bow *const outer = t->of.bow;
     struct pel_smooth_bow *const inner = outer + (round ? 2 : 1);
     t->lines.wide = false;
+    t->lines.line = t->of.cut.line;
     o->bow = outer;
     o->bows = round ? 4 : 2;
     o->cut = pel_smooth_cut;

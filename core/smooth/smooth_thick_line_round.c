@@ -7,6 +7,7 @@
 struct capsule {
     struct pel_smooth_lines lines; /* first */
     struct pel_smooth_bow bow[2];
+    struct pel_smooth_line line[2];
 };
 
 /* r to the right of a direction down, which is not 0. The inverse of its length
@@ -60,6 +61,7 @@ static PEL_NOINLINE void set_capsule(struct capsule *c,
     const struct pel_smooth_place right = place_across(d, radius);
     const struct pel_smooth_place left = {-right.x, -right.y};
     struct pel_smooth_outline *const o = &c->lines.outline;
+    c->lines.line = c->line;
     c->lines.wide = pel_magnitude(d.x) > PEL_PX(32767);
     o->bow = c->bow;
     o->bows = 2;
