@@ -28,11 +28,11 @@ static void place(struct pel_smooth_visitor *sides,
                   struct pel_smooth_crossing *c)
 {
     struct sides *const s = (void *)sides;
-    struct side *const side = &s->side[s->n];
     if (s->n >= MOST || c->strip.far - c->strip.near != 65536) {
         s->n = MOST + 1;
         return;
     }
+    struct side *const side = &s->side[s->n];
     side->crossing = *c;
     side->columns = pel_smooth_crossing_columns(c);
     pel_smooth_strip_set(&side->crossing.strip);
