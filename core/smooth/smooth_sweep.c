@@ -15,8 +15,9 @@ static int32_t in_row(int32_t y, int32_t y0)
  * range is cut off. */
 static int32_t x_at(const struct pel_smooth_edge *e, int32_t t)
 {
-    const int64_t way = (int64_t)pel_times((uint64_t)(e->step >> 16), t);
-    const int64_t x = (e->at + way) >> 16;
+    uint64_t way = (uint64_t)(e->step >> 16);
+    way = t == PEL_SMOOTH_ROW ? way << 16 : t ? pel_times(way, t) : 0;
+    const int64_t x = (e->at + (int64_t)way) >> 16;
     return x < INT32_MIN ? INT32_MIN : x > INT32_MAX ? INT32_MAX : (int32_t)x;
 }
 
@@ -55,9 +56,10 @@ static int32_t sort_part(struct pel_smooth_sweep *w, int32_t y, int32_t t,
         const int32_t at = w->order[i];
         struct pel_smooth_edge *const e = &w->edge[at];
         int32_t k = live;
-        if (in_row(e->top, y) > t || in_row(e->bottom, y) < end)
+        const int32_t top = in_row(e->top, y);
+        if (top > t || in_row(e->bottom, y) < end)
             continue;
-        e->x0 = x_at(e, t);
+        e->x0 = top < t ? e->x1 : x_at(e, t); /* where the part above ended */
         e->x1 = x_at(e, end);
         w->order[i] = w->order[live++];
         for (; k > 0 && is_before(e, &w->edge[w->order[k - 1]]); k--)

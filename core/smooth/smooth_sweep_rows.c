@@ -23,15 +23,6 @@ static int64_t x_in(const struct pel_point *a, int64_t step, int32_t below)
     return at + ((int64_t)pel_times((uint64_t)step, below) >> 8);
 }
 
-/* Behind those that begin above. */
-static void place(struct pel_smooth_sweep *w, int32_t edge)
-{
-    int32_t i = w->count++;
-    for (; i > 0 && w->edge[w->order[i - 1]].top > w->edge[edge].top; i--)
-        w->order[i] = w->order[i - 1];
-    w->order[i] = edge;
-}
-
 /* From a down to b. */
 static void add_edge(struct pel_smooth_sweep *w, const struct pel_point *a,
                      const struct pel_point *b, int32_t winding)
@@ -43,7 +34,8 @@ static void add_edge(struct pel_smooth_sweep *w, const struct pel_point *a,
     e->top = a->y;
     e->bottom = b->y;
     e->winding = winding;
-    place(w, w->count);
+    w->order[w->count] = w->count;
+    w->count++;
 }
 
 bool pel_smooth_sweep_add(struct pel_smooth_sweep *w, const struct pel_point *a,
@@ -137,9 +129,34 @@ static void sweep_row(struct pel_smooth_sweep *w, int32_t y)
     advance(w, PEL_PX(y) + 256);
 }
 
+/* Edges are ordered by their top, and as they were added. */
+static bool is_below(const struct pel_smooth_sweep *w, int32_t a, int32_t b)
+{
+    const int32_t down = w->edge[a].top - w->edge[b].top;
+    return down > 0 || (down == 0 && a > b);
+}
+
+/* Shell sort, with gaps of 2^k - 1. */
+static void sort(struct pel_smooth_sweep *w)
+{
+    int32_t *const order = w->order;
+    int32_t gap = 1;
+    while (gap < w->count / 4)
+        gap = 2 * gap + 1;
+    for (; gap; gap /= 2)
+        for (int32_t i = gap; i < w->count; i++) {
+            const int32_t edge = order[i];
+            int32_t k = i;
+            for (; k >= gap && is_below(w, order[k - gap], edge); k -= gap)
+                order[k] = order[k - gap];
+            order[k] = edge;
+        }
+}
+
 void pel_smooth_sweep_paint(struct pel_smooth_sweep *w)
 {
     int32_t y = w->y0;
+    sort(w);
     if (w->count > 0)
         y = pel_max(y, pel_pixel_of(w->edge[w->order[0]].top));
     for (; y < w->y1 && w->count > 0; y++)
