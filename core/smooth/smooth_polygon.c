@@ -20,8 +20,8 @@ size_t pel_smooth_polygon_scratch_size(int32_t n, int32_t width)
 }
 
 /* Is all of it left of the clip, or all right of it? */
-static bool is_beside(const struct pel_rect *clip,
-                      const struct pel_polygon_shape *p)
+static PEL_NOINLINE_32 bool is_beside(const struct pel_rect *clip,
+                                      const struct pel_polygon_shape *p)
 {
     bool left = true, right = true;
     for (int32_t i = 0; i < p->n; i++) {
@@ -31,17 +31,17 @@ static bool is_beside(const struct pel_rect *clip,
     return left || right;
 }
 
-static void add_edges(struct pel_smooth_sweep *w,
-                      const struct pel_polygon_shape *p)
+static PEL_NOINLINE_32 void add_edges(struct pel_smooth_sweep *w,
+                                      const struct pel_polygon_shape *p)
 {
     const struct pel_point *a = &p->v[p->n - 1];
     for (int32_t i = 0; i < p->n; a = &p->v[i++])
         pel_smooth_sweep_add(w, a, &p->v[i]);
 }
 
-static enum pel_status check(const struct pel_surface *surface,
-                             const struct pel_polygon_shape *p,
-                             const void *scratch, size_t size)
+static PEL_NOINLINE_32 enum pel_status check(const struct pel_surface *surface,
+                                             const struct pel_polygon_shape *p,
+                                             const void *scratch, size_t size)
 {
     const int32_t width = pel_max(surface->clip.x1 - surface->clip.x0, 0);
     const size_t need = pel_smooth_polygon_scratch_size(p->n, width);

@@ -123,20 +123,126 @@ static void add_piece(struct pel_smooth_sweep *w,
     w->end = pel_max(w->end, pel_max(from, end) + 1);
 }
 
-int32_t pel_smooth_add_part(struct pel_smooth_sweep *w, int32_t y, int32_t t)
+/* Edges of a row, those in w->order, whose x no other one reaches. */
+struct group {
+    int32_t y, from; /* only edges from there on, px 2^-16, are still to add */
+    int32_t base;    /* the winding number left of it .. */
+    int32_t right;   /* .. and right of it, or of the last border */
+    bool level;      /* that is the same all the way down */
+};
+
+/* Adds an edge over a height, if it is a border: the next one from the left. */
+static PEL_NOINLINE_32 void add_border(struct pel_smooth_sweep *w,
+                                       struct group *g,
+                                       const struct pel_smooth_edge *e,
+                                       int32_t h)
 {
-    int32_t end = next_end(w, y, t), winding = 0;
-    const int32_t live = sort_part(w, y, t, end);
-    const int32_t crossing = first_crossing(w, live, t, end);
+    const bool outside = (g->right & w->mask) == 0;
+    g->right += e->winding;
+    if (outside != ((g->right & w->mask) == 0) && e->x0 >= g->from)
+        add_piece(w, e, (uint32_t)h, outside ? 1 : -1);
+}
+
+/* Adds what is inside from t on, down to the next cut: where that is. */
+static PEL_NOINLINE_32 int32_t add_part(struct pel_smooth_sweep *w,
+                                        struct group *g, int32_t t)
+{
+    const int32_t bottom = next_end(w, g->y, t);
+    const int32_t live = sort_part(w, g->y, t, bottom);
+    const int32_t crossing = first_crossing(w, live, t, bottom);
+    const int32_t end = pel_min(crossing, bottom), right = g->right;
+    g->right = g->base;
     for (int32_t i = 0; i < live; i++) {
         struct pel_smooth_edge *const e = &w->edge[w->order[i]];
-        const bool outside = (winding & w->mask) == 0;
-        winding += e->winding;
-        if (crossing < end)
+        if (crossing < bottom)
             e->x1 = x_at(e, crossing);
-        if (outside != ((winding & w->mask) == 0))
-            add_piece(w, e, (uint32_t)(pel_min(crossing, end) - t),
-                      outside ? 1 : -1);
+        add_border(w, g, e, end - t);
     }
-    return pel_min(crossing, end);
+    g->level = g->level && (t == 0 || g->right == right);
+    return end;
+}
+
+/* Cuts the row at what begins, ends or crosses another one in the group. */
+static PEL_NOINLINE_32 void add_group(struct pel_smooth_sweep *w,
+                                      struct group *g, int32_t begin,
+                                      int32_t end)
+{
+    int32_t *const order = w->order;
+    const int32_t active = w->active;
+    w->order = order + begin;
+    w->active = end - begin;
+    g->level = true;
+    for (int32_t t = 0; t < PEL_SMOOTH_ROW;)
+        t = add_part(w, g, t);
+    w->order = order;
+    w->active = active;
+}
+
+/* Sets where an edge is leftmost in a row, and where it is rightmost. */
+static inline void set_ends(struct pel_smooth_edge *e, int32_t y)
+{
+    const int32_t a = x_at(e, in_row(e->top, y));
+    const int32_t b = x_at(e, in_row(e->bottom, y));
+    e->x0 = pel_min(a, b);
+    e->x1 = pel_max(a, b);
+}
+
+/* Sorts the edges of a row by where they are leftmost. Nothing depends on how
+ * they were ordered. */
+static PEL_NOINLINE_32 void sort_row(struct pel_smooth_sweep *w, int32_t y)
+{
+    for (int32_t i = 0; i < w->active; i++) {
+        const int32_t at = w->order[i];
+        struct pel_smooth_edge *const e = &w->edge[at];
+        int32_t k = i;
+        set_ends(e, y);
+        for (; k > 0; k--) {
+            const int32_t before = w->order[k - 1], x = w->edge[before].x0;
+            if (x < e->x0 || (x == e->x0 && before < at))
+                break;
+            w->order[k] = before;
+        }
+        w->order[k] = at;
+    }
+}
+
+/* Where the group ends that begins with edge i. */
+static int32_t group_end(const struct pel_smooth_sweep *w, int32_t i)
+{
+    int32_t right = w->edge[w->order[i]].x1;
+    while (++i < w->active) {
+        const struct pel_smooth_edge *const e = &w->edge[w->order[i]];
+        if ((e->x0 >> 1) - (right >> 1) > SAME)
+            break;
+        right = pel_max(right, e->x1);
+    }
+    return i;
+}
+
+/* Does it go down the whole row? */
+static bool is_whole(const struct pel_smooth_edge *e, int32_t y)
+{
+    return e->top <= PEL_PX(y) && e->bottom >= PEL_PX(y) + 256;
+}
+
+/* A group is cut on its own, unless a level line joins it to the one on its
+ * left: then the winding number between both changes in the row. */
+void pel_smooth_add_row(struct pel_smooth_sweep *w, int32_t y)
+{
+    struct group g = {y, 0, 0, 0, true};
+    int32_t begin = 0, end;
+    sort_row(w, y);
+    for (int32_t i = 0; i < w->active; i = end) {
+        const struct pel_smooth_edge *const e = &w->edge[w->order[i]];
+        end = group_end(w, i);
+        g.from = e->x0;
+        if (begin + 1 == end && is_whole(e, y))
+            add_border(w, &g, e, PEL_SMOOTH_ROW);
+        else
+            add_group(w, &g, begin, end);
+        if (g.level) {
+            begin = end;
+            g.base = g.right;
+        }
+    }
 }

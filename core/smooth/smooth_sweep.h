@@ -49,8 +49,7 @@ bool pel_smooth_sweep_add(struct pel_smooth_sweep *w, const struct pel_point *a,
  * then. */
 void pel_smooth_sweep_paint(struct pel_smooth_sweep *w);
 
-/* Adds what is inside from t on, down to the next cut of row y: where that is.
- */
-int32_t pel_smooth_add_part(struct pel_smooth_sweep *w, int32_t y, int32_t t);
+/* Adds what is inside in row y, of the edges that touch it. */
+void pel_smooth_add_row(struct pel_smooth_sweep *w, int32_t y);
 
 #endif

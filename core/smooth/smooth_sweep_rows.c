@@ -72,7 +72,7 @@ static int32_t take_sum(int32_t *sum)
 }
 
 /* Where no right border lies inside the clip the row goes on to its end. */
-static void paint_row(struct pel_smooth_sweep *w, int32_t y)
+static PEL_NOINLINE_32 void paint_row(struct pel_smooth_sweep *w, int32_t y)
 {
     const struct pel_rect *const clip = &w->smooth.target->clip;
     struct pel_smooth_part part;
@@ -93,14 +93,22 @@ static void paint_row(struct pel_smooth_sweep *w, int32_t y)
 }
 
 /* Edges that begin above the row's end become active. */
-static void enter(struct pel_smooth_sweep *w, int32_t bottom)
+static PEL_NOINLINE_32 void enter(struct pel_smooth_sweep *w, int32_t bottom)
 {
     while (w->active < w->count && w->edge[w->order[w->active]].top < bottom)
         w->active++;
 }
 
+/* Moves those from i on up to k. */
+static void close_up(struct pel_smooth_sweep *w, int32_t k, int32_t i)
+{
+    while (i < w->count)
+        w->order[k++] = w->order[i++];
+    w->count = k;
+}
+
 /* Moves on to the row below; edges that end above it are dropped. */
-static void advance(struct pel_smooth_sweep *w, int32_t bottom)
+static PEL_NOINLINE_32 void advance(struct pel_smooth_sweep *w, int32_t bottom)
 {
     int32_t kept = 0, i = 0;
     for (; i < w->active; i++) {
@@ -110,11 +118,8 @@ static void advance(struct pel_smooth_sweep *w, int32_t bottom)
             w->order[kept++] = w->order[i];
     }
     w->active = kept;
-    if (kept < i) {
-        for (; i < w->count; i++)
-            w->order[kept++] = w->order[i];
-        w->count = kept;
-    }
+    if (kept < i)
+        close_up(w, kept, i);
 }
 
 static void sweep_row(struct pel_smooth_sweep *w, int32_t y)
@@ -122,8 +127,7 @@ static void sweep_row(struct pel_smooth_sweep *w, int32_t y)
     enter(w, PEL_PX(y) + 256);
     w->lo = INT32_MAX;
     w->end = INT32_MIN;
-    for (int32_t t = 0; w->active > 0 && t < PEL_SMOOTH_ROW;)
-        t = pel_smooth_add_part(w, y, t);
+    pel_smooth_add_row(w, y);
     if (w->lo < w->end)
         paint_row(w, y);
     advance(w, PEL_PX(y) + 256);
@@ -137,7 +141,7 @@ static bool is_below(const struct pel_smooth_sweep *w, int32_t a, int32_t b)
 }
 
 /* Shell sort, with gaps of 2^k - 1. */
-static void sort(struct pel_smooth_sweep *w)
+static PEL_NOINLINE_32 void sort(struct pel_smooth_sweep *w)
 {
     int32_t *const order = w->order;
     int32_t gap = 1;
