@@ -52,7 +52,7 @@ TEST_KNOBS := tests/property/test_raster_triangles \
     tests/property/test_fast_textures \
     tests/property/test_scene_pictures tests/property/test_paint_gradients \
     tests/property/test_round_coverage tests/property/test_smooth_coverage \
-    tests/property/test_smooth_round \
+    tests/property/test_smooth_round tests/property/test_image_smooth_glyph \
     tests/unit/test_base_product
 
 # $1 build

@@ -79,6 +79,67 @@ static bool fits(const struct pel_font_asset *font,
     return good;
 }
 
+#if PEL_SMOOTH_TINY
+/* Pixels with a coverage each, on their way to the layer. */
+struct drawing {
+    struct pel_smooth smooth;
+    int32_t y, left;
+    uint8_t coverage[PEL_SMOOTH_BATCH_BYTES];
+};
+
+/* They end before x, where so many full pixels begin. */
+static void flush(struct drawing *d, int32_t x, int32_t full)
+{
+    const struct pel_smooth_row row = {d->y, x - d->left, d->left,
+                                       full, 0,           d->coverage};
+    pel_smooth_paint(&d->smooth, &row);
+    d->left = 0;
+}
+
+/* n pixels of one run, from x on: long ones are no bytes. */
+static void take(struct drawing *d, const struct runs *r, int32_t x, int32_t n,
+                 uint32_t scale)
+{
+    const struct pel_rect *const clip = &d->smooth.target->clip;
+    const int32_t end = pel_min(x + n, clip->x1);
+    x = pel_max(x, clip->x0);
+    if (x >= end || d->y < clip->y0)
+        return;
+    if (n >= FULL && r->step - 1 >= r->most - 1) {
+        flush(d, x, r->step ? end - x : 0);
+        return;
+    }
+    for (; x < end; x++) {
+        if (d->left == PEL_SMOOTH_BATCH_BYTES)
+            flush(d, x, 0);
+        d->coverage[d->left++] = (uint8_t)(r->step * scale);
+    }
+}
+
+static void draw(const struct pel_surface *surface,
+                 const struct pel_font_asset *font,
+                 const struct pel_font_glyph *glyph, struct pel_point at,
+                 const struct pel_paint *paint)
+{
+    const int32_t right = at.x + glyph->width;
+    const int32_t end = pel_min(at.y + glyph->height, surface->clip.y1);
+    struct runs r = runs_of(font, glyph);
+    struct drawing d;
+    if (!pel_smooth_begin(&d.smooth, surface, paint))
+        return;
+    d.left = 0;
+    for (d.y = at.y; d.y < end; d.y++) {
+        for (int32_t x = at.x, n; x < right; x += n) {
+            if (r.left == 0)
+                next_run(&r, NULL);
+            n = pel_min((int32_t)r.left, right - x);
+            r.left -= (uint32_t)n;
+            take(&d, &r, x, n, font->kind->scale);
+        }
+        flush(&d, pel_min(right, surface->clip.x1), 0);
+    }
+}
+#else
 /* Rows of a glyph on their way to the layer. */
 struct drawing {
     struct pel_smooth smooth;
@@ -189,6 +250,7 @@ static void draw(const struct pel_surface *surface,
     }
     flush(&d);
 }
+#endif
 
 static int32_t kerning(const struct pel_font_asset *font,
                        const struct pel_font_glyph *left,

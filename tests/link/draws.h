@@ -120,6 +120,36 @@ static inline void draw_smooth_text(const struct pel_paint *paint)
     pel_text(&screen, &text, paint);
 }
 
+/* An a of two curves, at an angle. */
+static inline void draw_smooth_outline_text(const struct pel_paint *paint)
+{
+    static const uint8_t points[] = {0x14, 4,  4,    0x15, 90, 90,   0x16,
+                                     8,    90, 0x19, 60,   80, 0x27, 0x20,
+                                     3,    40, 0x25, 9,    30};
+    static const struct pel_font_range range = {'a', 1, 0};
+    static const struct pel_outline_glyph glyph = {0, sizeof points, 120};
+    static const struct pel_outline_font_asset font = {
+        .magic = PEL_OUTLINE_FONT_MAGIC,
+        .version = PEL_OUTLINE_FONT_VERSION,
+        .em = 256,
+        .ascent = 200,
+        .right = 999,
+        .top = 255,
+        .ranges = 1,
+        .glyphs = 1,
+        .missing = PEL_FONT_NONE,
+        .size = sizeof points,
+        .range = &range,
+        .glyph = &glyph,
+        .points = points};
+    static uint64_t
+        scratch[PEL_SMOOTH_PATH_SCRATCH_SIZE(9, SCREEN_SIDE) / 8 + 1];
+    struct pel_outline_text_block text = {.font = &font, .string = "aa\na"};
+    text.transform = pel_outline_transform(
+        &font, PEL_PX(20), 9000, (struct pel_point){PEL_PX(40), PEL_PX(20)});
+    pel_smooth_outline_text(&screen, &text, paint, scratch, sizeof scratch);
+}
+
 /* All of them but smooth ones, each as EACH(name). */
 #define EVERY_DRAW(EACH)                                                      \
     EACH(triangle), EACH(triangle_or_line), EACH(polygon), EACH(rectangle),   \
