@@ -9,15 +9,22 @@ struct squares {
     int32_t x, y, scale; /* px of the other one: where (0, 0) is; a square */
 };
 
+/* The squares of span i. */
+static struct pel_rect box_of(const struct squares *s,
+                              const struct pel_spans *spans, int32_t i)
+{
+    const struct pel_span *span = &spans->span[i];
+    const int32_t y = s->y + (spans->y + i * spans->step) * s->scale;
+    return (struct pel_rect){s->x + span->x0 * s->scale, y,
+                             s->x + span->x1 * s->scale, y + s->scale};
+}
+
 static void squares_fill(const struct pel_paint *paint,
                          const struct pel_spans *spans)
 {
     const struct squares *s = (const void *)paint;
-    int32_t y = s->y + spans->y * s->scale;
-    for (int32_t i = 0; i < spans->n; i++, y += spans->step * s->scale) {
-        const struct pel_span *span = &spans->span[i];
-        const struct pel_rect box = {s->x + span->x0 * s->scale, y,
-                                     s->x + span->x1 * s->scale, y + s->scale};
+    for (int32_t i = 0; i < spans->n; i++) {
+        const struct pel_rect box = box_of(s, spans, i);
         pel_box(s->surface, &box, s->inner);
     }
 }
@@ -26,6 +33,16 @@ static void squares_fill(const struct pel_paint *paint,
 static int32_t square_of(int32_t a, int32_t scale)
 {
     return a / scale - (a % scale < 0);
+}
+
+/* The squares that reach into the clip. */
+static struct pel_rect squares_in(const struct squares *s)
+{
+    const struct pel_rect *c = &s->surface->clip;
+    return (struct pel_rect){square_of(c->x0 - s->x, s->scale),
+                             square_of(c->y0 - s->y, s->scale),
+                             square_of(c->x1 - 1 - s->x, s->scale) + 1,
+                             square_of(c->y1 - 1 - s->y, s->scale) + 1};
 }
 
 static bool legal(const struct pel_text_block *text, int32_t scale)
@@ -47,11 +64,7 @@ void pel_text_scaled(const struct pel_surface *surface,
         return;
     const struct squares squares = {
         {.fill = squares_fill}, surface, paint, text->x, text->y, scale};
-    const struct pel_rect *clip = &surface->clip;
-    const struct pel_rect all = {square_of(clip->x0 - text->x, scale),
-                                 square_of(clip->y0 - text->y, scale),
-                                 square_of(clip->x1 - 1 - text->x, scale) + 1,
-                                 square_of(clip->y1 - 1 - text->y, scale) + 1};
+    const struct pel_rect all = squares_in(&squares);
     const struct pel_surface field = {.bounds = all, .clip = all};
     const struct pel_text_block small = {text->font, text->string, 0, 0};
     pel_text(&field, &small, &squares.paint);
