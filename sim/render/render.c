@@ -76,6 +76,9 @@ static bool check(const struct render_options *o)
          "--show-methods is about --shade phong"},
         {s->tolerance > 0 && s->shade != SCENE_PHONG,
          "--tolerance is about --shade phong"},
+        {s->in_world && (s->stats || s->show_methods),
+         "--stats and --show-methods are about methods that are linear on "
+         "screen: expected --interpolation screen"},
         {s->stats && s->show_methods,
          "--stats counts what --show-methods does not draw: expected one of "
          "them"},

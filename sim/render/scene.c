@@ -125,21 +125,25 @@ static const struct pel_shading shade_methods = {pel_frame_start_chosen,
 
 static void set_appearance(struct scene *scene, const struct scene_settings *s)
 {
-    static const struct pel_shading *const shadings[][2] = {
-        {&pel_shade_flat, &pel_shade_lit_flat},
-        {&pel_shade_gouraud, &pel_shade_lit_gouraud},
-        {&pel_shade_phong, &pel_shade_phong}};
+    static const struct pel_shading *const shadings[][2][2] = {
+        {{&pel_shade_flat, &pel_shade_lit_flat},
+         {&pel_shade_flat, &pel_shade_lit_flat}},
+        {{&pel_shade_gouraud, &pel_shade_lit_gouraud},
+         {&pel_perspective_gouraud, &pel_perspective_lit_gouraud}},
+        {{&pel_shade_phong, &pel_shade_phong},
+         {&pel_perspective_phong, &pel_perspective_phong}}};
     struct pel_scene *core = &scene->core;
     bool bare = false, clear = s->transparency > 0;
     set_parts(scene, s, &bare, &clear);
     const bool shapeless = (scene->model->plain || s->has_color) && bare;
     const bool lit = s->lit == SCENE_LIT ||
                      (s->lit == SCENE_LIT_AUTO && (s->has_light || shapeless));
-    core->shading = shadings[s->shade][lit];
+    core->shading = shadings[s->shade][s->in_world][lit];
     if (s->shade == SCENE_PHONG &&
         (s->show_methods || s->stats || s->tolerance > 0))
         core->shading = s->show_methods ? &shade_methods
                         : s->stats      ? &pel_shade_counted
+                        : s->in_world   ? &pel_perspective_chosen
                                         : &pel_shade_chosen;
     scene->stats = (struct pel_stats){.bound = 0};
     core->stats = &scene->stats;

@@ -29,6 +29,7 @@
 #define SCENE_WRAPS "clamp|repeat|mirror|own"
 #define SCENE_NORMALS "file|smooth"
 #define SCENE_SIDES "front|both"
+#define SCENE_INTERPOLATIONS "screen|world"
 #define SCENE_ORDERS "auto|painter|zbuffer16|zbuffer32|zbuffer"
 #define SCENE_CULLS "none|back|front"
 #define SCENE_TERMS "ambient|diffuse|specular"
@@ -114,6 +115,7 @@ struct scene_settings {
     bool has_light; /* a light or a number of it was set */
 
     enum scene_shade shade;
+    bool in_world; /* colors, normals, positions: linear there, not on screen */
     enum scene_texture texture;
     enum scene_mapping mapping;
     enum scene_wrap wrap;

@@ -199,6 +199,10 @@ const struct option_row scene_option_table[] = {
      "front (default), or both: a normal that points away from the eye is "
      "turned",
      CHOICE(settings.both_sides, SCENE_SIDES)},
+    {"interpolation", "WHERE",
+     "colours, normals and positions are linear on screen (default), or in the "
+     "world: right on large triangles that lead away",
+     CHOICE(settings.in_world, SCENE_INTERPOLATIONS)},
     {"unlit", NULL, "no light, whatever the mesh", CALL(parse_unlit)},
     HEADING("Texture:"),
     {"texture", "MODE", "none, nearest or bilinear (default)",

@@ -159,6 +159,8 @@ const struct script_command script_mesh_commands[] = {
     {"option mesh backhighlights", "o", "on|off",
      SET(settings.no_back_highlights, 1)},
     {"option mesh sides", "o", SCENE_SIDES, SET(settings.both_sides, 1)},
+    {"option mesh interpolation", "o", SCENE_INTERPOLATIONS,
+     SET(settings.in_world, 1)},
     {"option mesh texture", "o", SCENE_TEXTURES, SET(settings.texture, 1)},
     {"option mesh mapping", "o", SCENE_MAPPINGS, SET(settings.mapping, 1)},
     {"option mesh span", "o", SCENE_SPANS, SET(settings.span, 1)},

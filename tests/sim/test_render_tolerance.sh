@@ -17,6 +17,7 @@ within() {
     done
 }
 within builtin:vase
+within builtin:vase --interpolation world --eye 0.4,0.9,1.1 --near 0.05
 within builtin:vase --order zbuffer --sun 1,2,3:1,0.5,0.25 --ks 1 \
     --shininess 200 --highlights plain --back-highlights off
 within builtin:vase --light 1,2,2:1,1,1 --light 0,3,0:0,1,1 --transparency 99
@@ -54,6 +55,19 @@ refused_command "--tolerance is about --shade phong" \
 refused_command "expected one of them" render builtin:vase --shade phong \
     --stats --show-methods
 refused_command "such as 2" render builtin:vase --tolerance 256
+
+# A square that leads away, of black and white vertices: half way in the world
+# is grey, but nearer to the far edge on screen.
+printf 'v -1 0 0 0 0 0\nv 1 0 0 0 0 0\nv 1 0 -20 1 1 1\nv -1 0 -20 1 1 1\nf 1 2 3\nf 1 3 4\n' \
+    >"$work/road.obj"
+road="$PEL render $work/road.obj --unlit --shade gouraud --size 99x99 --eye 0,1,1
+    --target 0,0,-4 --near 0.1"
+$road -o "$work/a.ppm" || fail "road"
+$road --interpolation world -o "$work/b.ppm" || fail "road in the world"
+"$PEL" compare "$work/a.ppm" "$work/b.ppm" --tolerance 60 >"$work/out" &&
+    fail "no perspective of colours: $(cat "$work/out")"
+refused_command "expected --interpolation screen" render builtin:vase \
+    --shade phong --interpolation world --stats
 
 # Options that another mapping would ignore.
 refused_command "expected --mapping perspective" render builtin:vase \
