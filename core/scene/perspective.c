@@ -44,23 +44,28 @@ static bool is_near(const struct pel_divided_triangle *d,
     return true;
 }
 
+/* The lower 32 bits of the colors' planes are what struct pel_gouraud has. */
+static void cut_colors(struct pel_shaded *p)
+{
+    for (int k = 0; k < 3; k++) {
+        p->colors.at[k] = (uint32_t)p->plane[PEL_AT_COLOR + k].at + 0x800000u;
+        p->colors.dx[k] = (uint32_t)p->plane[PEL_AT_COLOR + k].dx;
+    }
+}
+
 /* Sets the values of pixels from x on and returns the pixels' number. */
 static int32_t set_values(struct pel_divided_triangle *d, int32_t x, int32_t y)
 {
     const uint8_t span = d->by.span;
-    struct pel_gouraud *g = &d->shaded->colors;
     struct pel_plane *line = &d->shaded->plane[d->first];
-    const struct pel_plane *color = &d->shaded->plane[PEL_AT_COLOR];
     int32_t n = pel_divided_lines(&d->by, x, y, line);
     if (span > 0 && !is_near(d, line, x, y)) {
         d->by.span = 0;
         n = pel_divided_lines(&d->by, x, y, line);
         d->by.span = span;
     }
-    for (int k = 0; k < 3 && d->first + d->by.values == PEL_VALUES; k++) {
-        g->at[k] = (uint32_t)color[k].at + 0x800000u;
-        g->dx[k] = (uint32_t)color[k].dx;
-    }
+    if (d->first + d->by.values == PEL_VALUES)
+        cut_colors(d->shaded);
     return n;
 }
 
@@ -82,9 +87,7 @@ static void there(const struct pel_color_paint *paint, int32_t x, int32_t y,
                   int32_t n, pel_color *out)
 {
     (void)paint;
-    (void)x;
-    (void)y;
-    (void)n;
+    (void)(x + y + n);
     (void)out;
 }
 
@@ -95,8 +98,7 @@ static void white(const struct pel_color_paint *paint, int32_t x, int32_t y,
                   int32_t n, pel_color *out)
 {
     (void)paint;
-    (void)x;
-    (void)y;
+    (void)(x + y);
     for (int32_t i = 0; i < n; i++)
         out[i] = UINT32_C(0xFFFFFFFF);
 }
@@ -136,14 +138,18 @@ static void set_value(struct pel_frame *frame, int k, const int32_t vertex[3])
     pel_divided_set(&d->value[k], &d->by, pel_frame_setup(frame), fine);
 }
 
+static void set_color(struct pel_frame *frame, const pel_color color[3], int k)
+{
+    int32_t value[3];
+    for (int i = 0; i < 3; i++)
+        value[i] = (int32_t)(color[i] >> 8 * k & 255);
+    set_value(frame, PEL_AT_COLOR + k, value);
+}
+
 static void set_colors(struct pel_frame *frame, const pel_color color[3])
 {
-    for (int k = 0; k < 3; k++) {
-        const int32_t value[3] = {(int32_t)(color[0] >> 8 * k & 255),
-                                  (int32_t)(color[1] >> 8 * k & 255),
-                                  (int32_t)(color[2] >> 8 * k & 255)};
-        set_value(frame, PEL_AT_COLOR + k, value);
-    }
+    for (int k = 0; k < 3; k++)
+        set_color(frame, color, k);
 }
 
 static const struct pel_paint *gouraud(struct pel_frame *frame,
