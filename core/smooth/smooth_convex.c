@@ -76,12 +76,19 @@ static bool is_inside(const struct pel_rect *box, const struct pel_rect *clip)
            pel_pixel_of(box->x1) < clip->x1;
 }
 
+/* The first vertex at a height. */
+static int32_t vertex_at(const struct pel_smooth_walk *k, int32_t y)
+{
+    int32_t i = 0;
+    while (k->v[i].y != y)
+        i++;
+    return i;
+}
+
 /* Both from the first vertex at the top. */
 static void start_sides(struct pel_smooth_walk *k, int32_t y)
 {
-    int32_t top = 0;
-    while (k->v[top].y != y)
-        top++;
+    const int32_t top = vertex_at(k, y);
     start(k, 0, top);
     start(k, 1, top);
     if (!PEL_SMALL_CODE)

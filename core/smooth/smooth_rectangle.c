@@ -36,17 +36,21 @@ static struct pel_rect touched_by(const struct pel_rect *box)
     return r;
 }
 
-/* Copies the first row of the batch to all. */
+/* Copies the first row of the batch to row i. */
+static void copy_row(struct pel_smooth_batch *b, int32_t i)
+{
+    const int32_t all = b->count[0] + b->count[1];
+    b->at.full[i] = b->at.full[0];
+    b->count[2 * i] = b->count[0];
+    b->count[2 * i + 1] = b->count[1];
+    for (int32_t k = 0; k < all; k++)
+        b->coverage[i * all + k] = b->coverage[k];
+}
+
 static void repeat_row(struct pel_smooth_batch *b)
 {
-    const int32_t left = b->count[0], all = left + b->count[1];
-    for (int32_t i = 1; i < PEL_SMOOTH_BATCH_ROWS; i++) {
-        b->at.full[i] = b->at.full[0];
-        b->count[2 * i] = b->count[0];
-        b->count[2 * i + 1] = b->count[1];
-        for (int32_t k = 0; k < all; k++)
-            b->coverage[i * all + k] = b->coverage[k];
-    }
+    for (int32_t i = 1; i < PEL_SMOOTH_BATCH_ROWS; i++)
+        copy_row(b, i);
 }
 
 static void paint_row(struct rectangle *k, struct pel_smooth_columns columns)

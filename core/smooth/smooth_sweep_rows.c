@@ -157,12 +157,16 @@ static PEL_NOINLINE_32 void sort(struct pel_smooth_sweep *w)
         }
 }
 
+/* The first row that an edge touches, if there is one. */
+static int32_t first_row(const struct pel_smooth_sweep *w)
+{
+    return pel_max(w->y0, pel_pixel_of(w->edge[w->order[0]].top));
+}
+
 void pel_smooth_sweep_paint(struct pel_smooth_sweep *w)
 {
-    int32_t y = w->y0;
     sort(w);
-    if (w->count > 0)
-        y = pel_max(y, pel_pixel_of(w->edge[w->order[0]].top));
+    int32_t y = w->count > 0 ? first_row(w) : w->y1;
     for (; y < w->y1 && w->count > 0; y++)
         sweep_row(w, y);
     w->count = w->active = 0;

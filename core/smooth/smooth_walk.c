@@ -72,14 +72,18 @@ static void pass(struct pel_smooth_walk *k, int i)
     widen(k, s->at);
 }
 
+static void clip_columns(struct pel_span *columns, const struct pel_rect *clip)
+{
+    columns->x0 = pel_max(columns->x0, clip->x0);
+    columns->x1 = pel_min(columns->x1, clip->x1);
+}
+
 void pel_smooth_pass_row(struct pel_smooth_walk *k)
 {
-    const struct pel_rect *const clip = &k->smooth.target->clip;
     k->rest = (struct pel_span){INT32_MAX, INT32_MIN};
     pass(k, 0);
     pass(k, 1);
-    k->rest.x0 = pel_max(k->rest.x0, clip->x0);
-    k->rest.x1 = pel_min(k->rest.x1, clip->x1);
+    clip_columns(&k->rest, &k->smooth.target->clip);
     k->y++;
 }
 
