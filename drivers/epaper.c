@@ -28,16 +28,15 @@ static enum pel_status send(const struct pel_epaper *paper,
                             enum pel_status status, const uint8_t *list)
 {
     const struct pel_bus *bus = paper->bus;
-    const int32_t n = PEL_EPAPER_FRAME(paper->width, paper->height);
     const uint8_t *plane = paper->frame;
     for (; *list && status == PEL_OK; list++) {
-        struct pel_bus_rows rows = {plane, n, 1, 0};
+        struct pel_bus_rows rows = {plane, paper->size, 1, 0};
         if (*list == PEL_EPAPER_WAIT) {
             status = wait(paper);
             continue;
         }
         if (*list == PEL_EPAPER_PLANE) {
-            plane += n;
+            plane += paper->size;
         } else {
             status = bus->command(bus, list + 1, 1, NULL, 0);
             rows.bytes = list + 2;
@@ -50,56 +49,58 @@ static enum pel_status send(const struct pel_epaper *paper,
     return status == PEL_OK && bus->wait ? bus->wait(bus) : status;
 }
 
-static const struct pel_epaper_kind *kind_of(const struct pel_epaper *paper)
-{
-    return &paper->chip->kind[paper->format->bits >> 1];
-}
-
-static enum pel_status start(struct pel_epaper *paper)
-{
-    uint8_t list[PEL_EPAPER_LIST];
-    enum pel_status status = paper->bus->pause(paper->bus, true, 2 * POLL_MS);
-    paper->chip->size(paper, list);
-    status = send(paper, status, kind_of(paper)->setup);
-    return send(paper, status, list);
-}
-
 /* Ready for pixels. The frame is what the glass shows while nothing was flushed
  * since the last refresh; the chip compares the next picture with it. */
 static enum pel_status ready(struct pel_epaper *paper)
 {
-    enum pel_status status =
-        paper->state == ASLEEP ? start(paper) : wait(paper);
+    uint8_t list[PEL_EPAPER_LIST];
+    enum pel_status status;
+    if (paper->state == ASLEEP) {
+        status = paper->bus->pause(paper->bus, true, 2 * POLL_MS);
+        paper->chip->size(paper, list);
+        status = send(paper, status, paper->kind->setup);
+        status = send(paper, status, list);
+    } else {
+        status = wait(paper);
+    }
     if (paper->state)
-        status = send(paper, status, kind_of(paper)->keep);
+        status = send(paper, status, paper->kind->keep);
     if (status == PEL_OK)
         paper->state = READY;
     return status;
 }
 
-/* A pixel at (x, y) of the display. */
-static void put(const struct pel_epaper *paper, int32_t x, int32_t y,
-                pel_color color)
+/* The number of the display's pixel (x, y). */
+static uint32_t place(const struct pel_epaper *paper, uint32_t x, uint32_t y)
 {
-    const int32_t width = paper->width, height = paper->height;
+    const uint32_t right = paper->width - 1u, below = paper->height - 1u;
     if (paper->rotation & 1) {
-        const int32_t before = x;
-        x = width - 1 - y;
+        const uint32_t before = x;
+        x = right - y;
         y = before;
     }
     if (paper->rotation & 2) {
-        x = width - 1 - x;
-        y = height - 1 - y;
+        x = right - x;
+        y = below - y;
     }
-    const int32_t row = (width + 7) >> 3;
-    const uint32_t mask = 0x80u >> (x & 7);
-    uint8_t *byte = paper->frame + y * row + (x >> 3);
-    *byte = (uint8_t)(color << 8 ? *byte | mask : *byte & ~mask);
-    if (paper->format->bits == 1)
-        return;
-    byte += row * height;
-    *byte =
-        (uint8_t)(color << 8 && !(color & 255) ? *byte | mask : *byte & ~mask);
+    return y * (right / 8 + 1) * 8 + x;
+}
+
+/* Pixel number `at` of the glass, whose rows are whole bytes. */
+static PEL_NOINLINE void put(const struct pel_epaper *paper, uint32_t at,
+                             pel_color color)
+{
+    const struct pel_format *const format = paper->format;
+    uint32_t planes = paper->kind->planes >> 2 * format->pack(color);
+    uint8_t *byte = paper->frame + (at >> 3);
+    for (uint32_t i = format->bits; i > 0; i--) {
+        const uint32_t mask = 0x80u >> (at & 7);
+        *byte = (uint8_t)(*byte | mask);
+        if (!(planes & 1))
+            *byte = (uint8_t)(*byte - mask);
+        byte += paper->size;
+        planes >>= 1;
+    }
 }
 
 static enum pel_status epaper_flush(const struct pel_display *display,
@@ -119,7 +120,7 @@ static enum pel_status epaper_flush(const struct pel_display *display,
         for (int32_t x = a->x0; x < a->x1; x++) {
             pel_color color;
             surface->format->load(surface, x, y, 1, &color);
-            put(paper, x, y, color);
+            put(paper, place(paper, (uint32_t)x, (uint32_t)y), color);
         }
     return status;
 }
@@ -127,12 +128,12 @@ static enum pel_status epaper_flush(const struct pel_display *display,
 static enum pel_status epaper_flip(const struct pel_display *display)
 {
     struct pel_epaper *paper = display->context;
-    const uint32_t how = paper->refresh, color = paper->format->bits >> 1;
-    if (how > (uint32_t)PEL_EPAPER_PARTIAL >> color)
+    const uint32_t how = paper->refresh, most = paper->kind->most;
+    if (how > most)
         return PEL_ERROR_RANGE;
     enum pel_status status = ready(paper);
-    status = send(paper, status, kind_of(paper)->show);
-    if (how && paper->waveform)
+    status = send(paper, status, paper->kind->show);
+    if (paper->waveform && (how || !most))
         status = send(paper, status, paper->waveform);
     status = send(paper, status, paper->chip->refresh[how]);
     if (status == PEL_OK)
@@ -147,14 +148,17 @@ enum pel_status pel_epaper_init(struct pel_display *display,
         !paper->format || !paper->frame || !paper->bus->data)
         return PEL_ERROR_NULL;
     const struct pel_epaper_chip *chip = paper->chip;
-    if (paper->format->bits > 2)
+    const struct pel_epaper_kind *kind = chip->kind;
+    if (kind->format != paper->format->id &&
+        (++kind)->format != paper->format->id)
         return PEL_ERROR_FORMAT;
+    paper->kind = kind;
     const uint16_t width = paper->width, height = paper->height;
     if (width - 1u >= chip->width || height - 1u >= chip->height)
         return PEL_ERROR_SIZE;
-    const size_t n = (size_t)PEL_EPAPER_FRAME(width, height);
-    for (size_t i = n * paper->format->bits; i-- > 0;)
-        paper->frame[i] = i < n ? 0xFF : 0;
+    paper->size = PEL_EPAPER_FRAME(width, height);
+    for (uint32_t i = 8 * (uint32_t)paper->size; i-- > 0;)
+        put(paper, i, PEL_RGB(255, 255, 255));
     memset(display, 0, sizeof *display);
     display->context = paper;
     display->width = width;

@@ -21,7 +21,7 @@
  * chip that is awake keeps voltages at the glass, which wears out.
  *
  * Black and white panels take pel_mono1, those with red or yellow pel_inks2, of
- * which both are the panel's color. */
+ * which both are the panel's color; the chips of four greys take pel_gray2. */
 #ifndef PEL_DRIVERS_EPAPER_H
 #define PEL_DRIVERS_EPAPER_H
 
@@ -33,7 +33,7 @@ PEL_BEGIN_DECLS
 /* FULL drives every pixel, to black and white in turn. FAST flashes less, and
  * leaves more of the picture before. PARTIAL drives the pixels that change;
  * after some ten of them, and first of all, a full one cleans the glass. Color
- * has FULL alone. */
+ * and greys have FULL alone. */
 enum pel_epaper_refresh {
     PEL_EPAPER_FULL,
     PEL_EPAPER_FAST,
@@ -46,15 +46,18 @@ struct pel_epaper {
     const struct pel_bus *bus;
     bool (*busy)(const struct pel_epaper *paper); /* is the pin BUSY high? */
     const struct pel_format *format;
-    uint8_t *frame;         /* PEL_EPAPER_FRAME bytes, of color twice */
+    uint8_t *frame; /* PEL_EPAPER_FRAME bytes; of color and greys twice */
     uint16_t width, height; /* px of the glass in rotation 0 */
     uint8_t rotation;       /* of the picture: quarter turns clockwise, mod 4 */
     uint8_t refresh;        /* enum pel_epaper_refresh, of the next flip */
-    uint8_t state;          /* the driver's */
+    uint8_t state;          /* this, and what follows, is the driver's */
+    const struct pel_epaper_kind *kind;
+    int32_t size; /* bytes of a plane */
 
-    /* Sent before FAST and PARTIAL, or NULL: the maker's waveform where the
-     * chip has none. A list of commands, for each its number of bytes up to 31,
-     * the command itself among them, and the bytes; 0 ends the list. */
+    /* Sent before FAST and PARTIAL, and before FULL of greys and color; or
+     * NULL: the maker's waveform where the chip has none. A list of commands,
+     * for each its number of bytes up to 253, the command itself among them,
+     * and the bytes; 0 ends the list. */
     const uint8_t *waveform;
 };
 
@@ -71,6 +74,16 @@ extern const struct pel_epaper_chip pel_epaper_uc8151;  /* GDEW029T5,
                                                            GDEW029Z10 */
 extern const struct pel_epaper_chip pel_epaper_uc8179;  /* GDEY075T7,
                                                            GDEY075Z08 */
+
+/* Black and white glass in four greys. Modules of the first and third bring the
+ * waveform, those of the third since the end of 2023. The second is for
+ * `.waveform = pel_epaper_uc8151_grays`, Pel's own, made from the data sheet
+ * for a room's temperature, or for its maker's. */
+extern const struct pel_epaper_chip pel_epaper_ssd1680_gray2; /* GDEY0213B74,
+                                                                 GDEY029T94 */
+extern const struct pel_epaper_chip pel_epaper_uc8151_gray2;  /* GDEW029T5 */
+extern const struct pel_epaper_chip pel_epaper_uc8179_gray2;  /* GDEY075T7 */
+extern const uint8_t pel_epaper_uc8151_grays[];
 
 /* Resets and sets up the chip; the glass stays as it is, the frame is white.
  * `paper` becomes the context of `display`, and both stay the caller's.

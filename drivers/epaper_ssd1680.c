@@ -38,6 +38,26 @@ static const uint8_t fast[] = {
 /* The border stays; the second display mode compares the planes. */
 static const uint8_t partial[] = {2, 0x3C, 0x80, 2, 0x22, 0xFF, 1, 0x20, 0};
 
+/* The module's waveform of four greys is that of 90 degrees. */
+static const uint8_t grays[] = {
+    /* clang-format off */
+    2, 0x3C, 0x05, /* white border */
+    3, 0x1A, 0x5A, 0x00, /* temperature */
+    2, 0x22, 0x91,
+    1, 0x20, PEL_EPAPER_WAIT, /* takes its waveform */
+    2, 0x22, 0xC7,
+    1, 0x20, /* drives, powers down */
+    0
+    /* clang-format on */
+};
+
+const struct pel_epaper_chip pel_epaper_ssd1680_gray2 = {
+    PEL_EPAPER_SSD_GRAYS(setup),
+    .refresh = {grays},
+    .width = 160,
+    .height = 296,
+};
+
 const struct pel_epaper_chip pel_epaper_ssd1680 = {
     PEL_EPAPER_SSD(setup),
     .refresh = {full, fast, partial},

@@ -16,6 +16,7 @@ static const uint8_t setup_color[] = {SETUP(0x0F, 0x11)};
 static const uint8_t full[] = {2, 0xE0, 0x00, 1, 0x12, 0};
 static const uint8_t fast[] = {2, 0xE0, 0x02, 2, 0xE5, 0x5A, 1, 0x12, 0};
 static const uint8_t partial[] = {2, 0xE0, 0x02, 2, 0xE5, 0x6E, 1, 0x12, 0};
+static const uint8_t grays[] = {2, 0xE0, 0x02, 2, 0xE5, 0x5F, 1, 0x12, 0};
 
 static void size(const struct pel_epaper *paper, uint8_t *list)
 {
@@ -29,6 +30,14 @@ static void size(const struct pel_epaper *paper, uint8_t *list)
                            0};
     memcpy(list, set, sizeof set);
 }
+
+const struct pel_epaper_chip pel_epaper_uc8179_gray2 = {
+    PEL_EPAPER_UC_GRAYS(setup),
+    .size = size,
+    .refresh = {grays},
+    .width = 800,
+    .height = 600,
+};
 
 const struct pel_epaper_chip pel_epaper_uc8179 = {
     PEL_EPAPER_UC(setup, setup_color),

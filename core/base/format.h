@@ -53,9 +53,10 @@ enum pel_format_id {
                                   (format/argb8888.h), not a display's format */
     PEL_FORMAT_PALETTE4,      /*  4, 8: indices of colors (format/palette.h), */
     PEL_FORMAT_PALETTE8,      /*  sources too; as gray4 in memory */
-    PEL_FORMAT_INKS2          /*  2: white, black, red, yellow, of e-paper; left
+    PEL_FORMAT_INKS2,         /*  2: white, black, red, yellow, of e-paper; left
                                   pixel in the high bits. Takes the nearest in
                                   RGB, of two the first */
+    PEL_FORMAT_GRAY2          /*  2: left pixel in the high bits */
 };
 
 /* A row of the dither's matrix: 8 places for channels of 1 bit, 8 for 2 bits,

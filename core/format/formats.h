@@ -23,6 +23,7 @@ extern const struct pel_format pel_bgrx8888;
 extern const struct pel_format pel_rgb332;
 extern const struct pel_format pel_gray8;
 extern const struct pel_format pel_gray4;
+extern const struct pel_format pel_gray2;
 extern const struct pel_format pel_mono1;
 extern const struct pel_format pel_mono1_pages;
 extern const struct pel_format pel_inks2;

@@ -21,6 +21,7 @@ const struct format_name format_names[] = {
     {"mono1", &pel_mono1},
     {"mono1_pages", &pel_mono1_pages},
     {"inks2", &pel_inks2},
+    {"gray2", &pel_gray2},
     {NULL, NULL},
 };
 
@@ -36,5 +37,5 @@ const char *format_list(void)
 {
     return "rgb565_le, rgb565_be, bgr565_le, xrgb1555_le, rgb888, bgr888, "
            "xrgb8888, xbgr8888, rgbx8888, bgrx8888, rgb332, gray8, gray4, "
-           "mono1, mono1_pages, inks2";
+           "mono1, mono1_pages, inks2, gray2";
 }

@@ -25,7 +25,7 @@ static const struct pel_format *const formats[] = {
     &pel_rgb888,         &pel_bgr888,    &pel_xrgb8888,    &pel_xbgr8888,
     &pel_rgbx8888,       &pel_bgrx8888,  &pel_rgb332,      &pel_gray8,
     &pel_gray4,          &pel_mono1,     &pel_mono1_pages, &pel_rgb565_le_fill,
-    &pel_rgb565_be_fill, &pel_argb8888,  &pel_inks2};
+    &pel_rgb565_be_fill, &pel_argb8888,  &pel_inks2,       &pel_gray2};
 
 /* A guard page, memory, a guard page: for each slot, made once. What is not the
  * present surface's is poisoned. */

@@ -216,7 +216,7 @@ static const struct {
     {FORMAT(xrgb8888)},    {FORMAT(xbgr8888)},  {FORMAT(rgbx8888)},
     {FORMAT(bgrx8888)},    {FORMAT(rgb332)},    {FORMAT(gray8)},
     {FORMAT(gray4)},       {FORMAT(mono1)},     {FORMAT(mono1_pages)},
-    {FORMAT(inks2)}};
+    {FORMAT(inks2)},       {FORMAT(gray2)}};
 
 /* Draws the scene in bands: the bytes are those of the whole. */
 static int print_crc(const struct scene *scene, const char *name,

@@ -1,16 +1,16 @@
-/* PAPER names an e-paper controller, IDLE the level of its pin BUSY that is
- * idle: what its driver costs. */
+/* PAPER names an e-paper controller, FORMAT what it takes, IDLE the level of
+ * its pin BUSY that is idle: what its driver costs. */
 #include "panel.h"
 
 #include "drivers/epaper.h"
 
-static uint8_t frame[PEL_EPAPER_FRAME(128, 128)], pixels[128 / 8 * 128];
+static uint8_t frame[2 * PEL_EPAPER_FRAME(128, 128)], pixels[128 / 4 * 128];
 
 static const struct pel_surface screen = {.pixels = pixels,
-                                          .stride = 128 / 8,
+                                          .stride = 128 / 4,
                                           .bounds = {0, 0, 128, 128},
                                           .clip = {0, 0, 128, 128},
-                                          .format = &pel_mono1};
+                                          .format = &FORMAT};
 
 static bool busy(const struct pel_epaper *paper)
 {
@@ -25,7 +25,7 @@ int main(void)
     struct pel_epaper paper = {.chip = &PAPER,
                                .bus = &bus,
                                .busy = busy,
-                               .format = &pel_mono1,
+                               .format = &FORMAT,
                                .frame = frame,
                                .width = 128,
                                .height = 128};

@@ -23,7 +23,8 @@ LINK_MONO := ssd1306 ssd1309 sh1106 sh1107 st7565 pcd8544
 LINK_PANELS := $(LINK_COLOR) $(LINK_MONO) ssd0323
 LINK_FORMAT_ili9488 := pel_bgr888
 LINK_FORMAT_ssd0323 := pel_gray4
-LINK_PAPERS := ssd1680 ssd1681 il3897 uc8151 uc8179
+LINK_GRAYS := ssd1680_gray2 uc8151_gray2 uc8179_gray2
+LINK_PAPERS := ssd1680 ssd1681 il3897 uc8151 uc8179 $(LINK_GRAYS)
 link_format = $(or $(LINK_FORMAT_$1),$(if \
     $(filter $1,$(LINK_COLOR)),pel_rgb565_be_fill,pel_mono1_pages))
 LINK_FILES := $(filter-out shape paint panel panel_times epaper pairs every_smooth,$(basename $(notdir \
@@ -75,6 +76,7 @@ $(BUILD)/mcu/$1/tests/link/panel_%.o: tests/link/panel.c | need-arm
 $(BUILD)/mcu/$1/tests/link/epaper_%.o: tests/link/epaper.c | need-arm
 	@mkdir -p $$(@D)
 	$$(MCU_COMPILE_$1) -DPAPER=pel_epaper_$$* \
+	    -DFORMAT=pel_$$(if $$(filter $(LINK_GRAYS),$$*),gray2,mono1) \
 	    -DIDLE=$$(if $$(filter uc%,$$*),true,false) -c $$< -o $$@
 endef
 $(foreach c,$(MCU_CPUS),$(foreach l,$(MCU_LEVELS),$(eval $(call \

@@ -39,7 +39,7 @@ END
 E-paper ([drivers/epaper.h](../drivers/epaper.h)), in the same way: its model
 (`tests/unit/test_drivers_epaper.c`) is busy after commands, and in a partial
 refresh drives what differs alone. Beside the stack a frame of one bit a pixel is
-in RAM, of panels with red or yellow two, and two structs of 76 bytes.
+in RAM, of panels with red, yellow or greys two, and two structs of 84 bytes.
 
 | chip | modules | full, fast, partial | flash | stack |
 |---|---|---|---:|---:|
@@ -52,6 +52,9 @@ END
             modules["il3897"] = "GDEH0213B73 | " own
             modules["uc8151"] = "GDEW029T5, GDEW029Z10 | " own
             modules["uc8179"] = "GDEY075T7, GDEY075Z08 | all"
+            modules["ssd1680_gray2"] = "GDEY0213B74, GDEY029T94: 4 greys | full"
+            modules["uc8151_gray2"] = "GDEW029T5: 4 greys | full"
+            modules["uc8179_gray2"] = "GDEY075T7 since 2023: 4 greys | full"
         }
         $1 == "cortex-m0plus-Os" && sub(/^epaper_/, "", $2) {
             print "| `" $2 "` | " modules[$2] " | " $3 " | " $5 " |"

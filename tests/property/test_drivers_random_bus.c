@@ -226,8 +226,12 @@ TEST(panels)
 TEST(papers)
 {
     static const struct pel_epaper_chip *const papers[] = {
-        &pel_epaper_ssd1680, &pel_epaper_ssd1681, &pel_epaper_il3897,
-        &pel_epaper_uc8151, &pel_epaper_uc8179};
+        &pel_epaper_ssd1680,      &pel_epaper_ssd1681,
+        &pel_epaper_il3897,       &pel_epaper_uc8151,
+        &pel_epaper_uc8179,       &pel_epaper_ssd1680_gray2,
+        &pel_epaper_uc8151_gray2, &pel_epaper_uc8179_gray2};
+    static const struct pel_format *const formats[] = {&pel_mono1, &pel_inks2,
+                                                       &pel_gray2};
     static const uint8_t waveform[] = {3, 0x32, 1, 2, 1, 0x33, 0};
     for (struct cases c = cases_of(3000); cases_next(&c);) {
         struct random *const r = &c.random;
@@ -236,16 +240,16 @@ TEST(papers)
                        height = (uint16_t)random_between(r, 0, 210);
         uint8_t *const frame =
             calloc(2, (size_t)PEL_EPAPER_FRAME(width, height) + 1);
-        struct pel_epaper paper = {
-            .chip = papers[random_word(r) % 5],
-            .bus = &bus,
-            .busy = is_busy,
-            .format = random_word(r) % 2 ? &pel_mono1 : &pel_inks2,
-            .frame = frame,
-            .width = width,
-            .height = height,
-            .rotation = (uint8_t)random_word(r),
-            .waveform = random_word(r) % 2 ? waveform : NULL};
+        struct pel_epaper paper = {.chip = papers[random_word(r) % 8],
+                                   .bus = &bus,
+                                   .busy = is_busy,
+                                   .format = formats[random_word(r) % 3],
+                                   .frame = frame,
+                                   .width = width,
+                                   .height = height,
+                                   .rotation = (uint8_t)random_word(r),
+                                   .waveform =
+                                       random_word(r) % 2 ? waveform : NULL};
         struct pel_display display;
         begin();
         const enum pel_status status = pel_epaper_init(&display, &paper);

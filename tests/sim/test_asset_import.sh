@@ -134,7 +134,7 @@ printf 'P3\n5 9\n255\n' >"$dir/picture.ppm"
 awk 'BEGIN { for (i = 0; i < 135; i++) print (i * 89 + i * i * 7) % 256 }' \
     >>"$dir/picture.ppm"
 for format in rgb565_le rgb565_be bgr565_le xrgb1555_le rgb888 bgr888 xrgb8888 \
-    xbgr8888 rgbx8888 bgrx8888 rgb332 gray8 gray4 mono1 mono1_pages inks2; do
+    xbgr8888 rgbx8888 bgrx8888 rgb332 gray8 gray4 gray2 mono1 mono1_pages inks2; do
     same $format "$dir/picture.ppm" --format $format
     $CC -std=c99 $WARNINGS -DFORMAT=pel_$format -I. $INCLUDE tests/sim/import_show.c \
         "$dir/$format.o" "$LIBPEL" -o "$dir/show"
@@ -157,7 +157,7 @@ runs() {
     "$dir/show" >"$dir/${format}_runs.ppm" || fail "$format: the runs are refused"
     same_as ${format}_runs $format
 }
-for format in rgb565_le rgb565_be xrgb1555_le rgb888 xrgb8888 rgb332 gray8 gray4 mono1 \
+for format in rgb565_le rgb565_be xrgb1555_le rgb888 xrgb8888 rgb332 gray8 gray4 gray2 mono1 \
     inks2; do
     runs $format "$dir/picture.ppm"
 done

@@ -34,7 +34,7 @@ refused() {
 }
 
 formats='rgb565_le rgb565_be bgr565_le xrgb1555_le rgb888 bgr888 xrgb8888
-xbgr8888 rgbx8888 bgrx8888 rgb332 gray8 gray4 mono1 mono1_pages inks2'
+xbgr8888 rgbx8888 bgrx8888 rgb332 gray8 gray4 gray2 mono1 mono1_pages inks2'
 
 # Every scene and format: bands change no byte, or are refused.
 for scene in "$scenes"/*.pel; do

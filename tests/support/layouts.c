@@ -42,6 +42,7 @@ const struct layout layouts[LAYOUT_COUNT] = {
     {LAYOUT(rgb332), 8, false, false, {5, 3}, {2, 3}, {0, 2}, 0, false},
     {LAYOUT(gray8), 8, true, false, {0, 8}, {0, 8}, {0, 8}, 0, false},
     {LAYOUT(gray4), 4, true, false, {0, 4}, {0, 4}, {0, 4}, 0, false},
+    {LAYOUT(gray2), 2, true, false, {0, 2}, {0, 2}, {0, 2}, 0, false},
     {LAYOUT(mono1), 1, true, false, {0, 1}, {0, 1}, {0, 1}, 0, false},
     {LAYOUT(mono1_pages), 1, true, false, {0, 1}, {0, 1}, {0, 1}, 0, false},
     {LAYOUT(inks2), 2, false, false, {0, 0}, {0, 0}, {0, 0}, 0, true},

@@ -16,7 +16,7 @@ struct layout {
     bool inks;                     /* indices of four colors instead */
 };
 
-enum { LAYOUT_COUNT = 16 };
+enum { LAYOUT_COUNT = 17 };
 extern const struct layout layouts[LAYOUT_COUNT];
 
 const struct layout *layout_of(const struct pel_format *format);

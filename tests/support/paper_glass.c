@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-enum { POLLS = 3 };
+enum { POLLS = 3, SWING = 18 }; /* frames that turn black into white */
 
 static bool is_ssd(const struct paper_glass *g)
 {
@@ -20,7 +20,7 @@ static int bit(const struct paper_glass *g, int plane, int x, int y)
 /* SSD1680 rev 0.14, 22h and table 6-5: mode 1 drives by the planes, mode 2
  * (bit 3 of the sequence) by what differs between them. UC8151 and UC8179, 12h:
  * waveforms that are chosen or sent drive where old and new differ. */
-static void refresh(struct paper_glass *g, bool compare)
+static void refresh_inks(struct paper_glass *g, bool compare)
 {
     const int black_white = !g->color ? 0 : is_ssd(g) ? 0 : 1;
     for (int y = 0; y < g->height; y++)
@@ -30,6 +30,60 @@ static void refresh(struct paper_glass *g, bool compare)
                 *p = PAPER_COLOR;
             else if (!compare || bit(g, 0, x, y) != bit(g, 1, x, y))
                 *p = bit(g, black_white, x, y) ? PAPER_WHITE : PAPER_BLACK;
+        }
+    g->refreshes++;
+    g->busy = POLLS * 5;
+}
+
+/* What a pixel is after the waveform of register `r`, that begins as `at` of
+ * SWING frames of white: 01 takes a frame away, 10 adds one. UC8151, 20h: seven
+ * groups of levels, four times and a count; the common electrode stays. */
+static int drive(const uint8_t *r, int at, int *charge)
+{
+    *charge = 0;
+    for (int group = 0; group < 7; group++, r += 6)
+        for (int i = 0; i < 4 * r[5]; i++)
+            for (int frame = 0; frame < r[1 + i % 4]; frame++) {
+                const int level = r[0] >> (6 - 2 * (i % 4)) & 3;
+                const int step = level == 2 ? 1 : level == 1 ? -1 : 0;
+                assert_true(level != 3);
+                *charge += step;
+                at += at + step >= 0 && at + step <= SWING ? step : 0;
+            }
+    return at;
+}
+
+static int gray_by_registers(const struct paper_glass *g, int pair)
+{
+    static const int most[4] = {0, 10, 15, SWING};
+    int charge;
+    const uint8_t *r = g->registers[4 - pair];
+    const int at = drive(r, 0, &charge);
+    assert_int_equal(drive(r, SWING, &charge), at);
+    assert_int_equal(charge, 0);
+    for (int gray = 0; gray < 4; gray++)
+        if (at == most[gray])
+            return gray;
+    fail_msg("%d frames of white are no grey", at);
+    return 0;
+}
+
+/* SSD1680: with the waveform of 90 degrees both planes tell how dark a pixel
+ * is, 26h coarsely. UC8151, UC8179: 13h coarsely how light, 10h finely. */
+static void refresh_grays(struct paper_glass *g)
+{
+    int gray[4];
+    assert_true(g->grays || (g->family == PAPER_UC8151 && g->waveform));
+    for (int pair = 0; pair < 4; pair++)
+        gray[pair] = is_ssd(g)                   ? 3 - pair
+                     : g->family == PAPER_UC8151 ? gray_by_registers(g, pair)
+                                                 : pair;
+    for (int y = 0; y < g->height; y++)
+        for (int x = 0; x < g->width; x++) {
+            const int coarse = bit(g, is_ssd(g), x, y);
+            const int fine = bit(g, !is_ssd(g), x, y);
+            g->shown[y * g->width + x] =
+                (uint8_t)(PAPER_GRAY + gray[coarse << 1 | fine]);
         }
     g->refreshes++;
     g->busy = POLLS * 5;
@@ -48,6 +102,14 @@ static void write_byte(struct paper_glass *g, int plane, int byte)
     }
 }
 
+static void refresh(struct paper_glass *g, bool compare)
+{
+    if (g->gray)
+        refresh_grays(g);
+    else
+        refresh_inks(g, compare);
+}
+
 /* SSD1680, IL3897: 20h begins what 22h has told. */
 static void ssd_command(struct paper_glass *g, int c)
 {
@@ -55,12 +117,15 @@ static void ssd_command(struct paper_glass *g, int c)
         g->busy = POLLS;
         g->row_bytes = 0;
         g->ready = true;
+        g->grays = false;
     }
     assert_true(g->ready);
     if (c == 0x20 && (g->mode & 4) != 0)
         refresh(g, g->mode & 8 || g->waveform);
-    else if (c == 0x20)
+    else if (c == 0x20) {
         g->busy = POLLS;
+        g->grays = g->mode == 0x91 && g->warmth == 90;
+    }
 }
 
 static void ssd_parameter(struct paper_glass *g, int byte)
@@ -80,6 +145,8 @@ static void ssd_parameter(struct paper_glass *g, int byte)
         g->x = byte;
     if (c == 0x4F && n == 1)
         g->y = g->parameter[0] | byte << 8;
+    if (c == 0x1A && n == 0)
+        g->warmth = byte;
     if (c == 0x22)
         g->mode = byte;
     if (c == 0x32)
@@ -125,8 +192,12 @@ static void uc_parameter(struct paper_glass *g, int byte)
         assert_int_equal((wide ? p[0] : p[0]) << 8 | byte, g->height);
         g->ready = true;
     }
-    if (c == 0xE5)
+    if (c >= 0x20 && c <= 0x24 && n < 44)
+        g->registers[c - 0x20][n] = (uint8_t)byte;
+    if (c == 0xE5) {
         g->mode = byte;
+        g->grays = byte == 0x5F;
+    }
     if (c == 0x07) {
         assert_int_equal(byte, 0xA5);
         assert_false(g->powered);
@@ -195,7 +266,8 @@ static enum pel_status take_pause(const struct pel_bus *bus, bool reset,
     g->ms += ms;
     if (reset) {
         memset(g->plane, 0x5A, sizeof g->plane);
-        g->asleep = g->powered = g->waveform = g->ready = false;
+        memset(g->registers, 0xA5, sizeof g->registers);
+        g->asleep = g->powered = g->waveform = g->ready = g->grays = false;
         g->busy = 0;
     }
     return PEL_OK;
@@ -214,7 +286,8 @@ void paper_glass_init(struct paper_glass *g)
     g->ms = 0;
     g->flight.length = 0;
     g->busy = 0;
-    memset(g->shown, PAPER_WHITE, sizeof g->shown);
+    g->white = g->gray ? PAPER_GRAY + 3 : PAPER_WHITE;
+    memset(g->shown, g->white, sizeof g->shown);
 }
 
 bool paper_glass_busy(struct paper_glass *g)

@@ -6,7 +6,12 @@
 #include "drivers/bus.h"
 
 enum paper_family { PAPER_SSD, PAPER_UC8151, PAPER_UC8179 };
-enum paper_ink { PAPER_WHITE, PAPER_BLACK, PAPER_COLOR };
+enum paper_ink {
+    PAPER_WHITE,
+    PAPER_BLACK,
+    PAPER_COLOR,
+    PAPER_GRAY /* and 0 to 3 */
+};
 enum { PAPER_BYTES = 800 / 8 * 480, PAPER_LIST = 64 };
 
 struct paper_glass {
@@ -15,7 +20,7 @@ struct paper_glass {
     /* Set by the test. */
     enum paper_family family;
     int width, height;
-    bool color;
+    bool color, gray;
     bool dma;    /* rows leave when the next call comes */
     bool stuck;  /* busy for ever */
     int fail_at; /* the call that fails, from 1; 0: none */
@@ -24,6 +29,7 @@ struct paper_glass {
     int calls, refreshes;
     uint32_t ms;
     uint8_t shown[PAPER_BYTES * 8]; /* enum paper_ink */
+    uint8_t white;                  /* of them */
 
     /* State. */
     struct pel_bus_rows flight;
@@ -33,7 +39,10 @@ struct paper_glass {
     int busy;       /* polls that it stays so */
     int row_bytes;  /* of an SSD's window */
     int x, y;
-    int mode;      /* 22h, or E5h */
+    int mode;                 /* 22h, or E5h */
+    int warmth;               /* 1Ah */
+    uint8_t registers[5][44]; /* 20h to 24h of a UC8151 */
+    bool grays;    /* the waveform that was chosen is that of four greys */
     bool waveform; /* 32h, or PSR's REG */
     bool asleep, powered, ready;
 };

@@ -19,20 +19,28 @@ static const struct module {
     const struct pel_epaper_chip *chip;
     enum paper_family family;
     int width, height;
-    bool color;
+    enum { MONO, INKS, GRAYS } kind;
     const uint8_t *waveform;
 } modules[] = {
-    {"ssd1680", &pel_epaper_ssd1680, PAPER_SSD, 122, 250, false, NULL},
-    {"ssd1680, color", &pel_epaper_ssd1680, PAPER_SSD, 128, 296, true, NULL},
-    {"ssd1681", &pel_epaper_ssd1681, PAPER_SSD, 200, 200, false, NULL},
-    {"il3897", &pel_epaper_il3897, PAPER_SSD, 122, 250, false, ssd_waveform},
-    {"uc8151", &pel_epaper_uc8151, PAPER_UC8151, 128, 296, false, uc_waveform},
-    {"uc8151, color", &pel_epaper_uc8151, PAPER_UC8151, 104, 212, true, NULL},
-    {"uc8179", &pel_epaper_uc8179, PAPER_UC8179, 800, 480, false, NULL},
-    {"uc8179, color", &pel_epaper_uc8179, PAPER_UC8179, 400, 300, true, NULL},
+    {"ssd1680", &pel_epaper_ssd1680, PAPER_SSD, 122, 250, MONO, NULL},
+    {"ssd1680, color", &pel_epaper_ssd1680, PAPER_SSD, 128, 296, INKS, NULL},
+    {"ssd1681", &pel_epaper_ssd1681, PAPER_SSD, 200, 200, MONO, NULL},
+    {"il3897", &pel_epaper_il3897, PAPER_SSD, 122, 250, MONO, ssd_waveform},
+    {"uc8151", &pel_epaper_uc8151, PAPER_UC8151, 128, 296, MONO, uc_waveform},
+    {"uc8151, color", &pel_epaper_uc8151, PAPER_UC8151, 104, 212, INKS, NULL},
+    {"uc8179", &pel_epaper_uc8179, PAPER_UC8179, 800, 480, MONO, NULL},
+    {"uc8179, color", &pel_epaper_uc8179, PAPER_UC8179, 400, 300, INKS, NULL},
+    {"ssd1680, greys", &pel_epaper_ssd1680_gray2, PAPER_SSD, 122, 250, GRAYS,
+     NULL},
+    {"uc8151, greys", &pel_epaper_uc8151_gray2, PAPER_UC8151, 128, 296, GRAYS,
+     pel_epaper_uc8151_grays},
+    {"uc8179, greys", &pel_epaper_uc8179_gray2, PAPER_UC8179, 400, 300, GRAYS,
+     NULL},
 };
 enum { MODULES = sizeof modules / sizeof *modules };
 
+static const struct pel_format *const formats[] = {&pel_mono1, &pel_inks2,
+                                                   &pel_gray2};
 static struct paper_glass glass;
 static uint8_t frame[2 * PAPER_BYTES], memory[PAPER_BYTES * 2];
 static uint8_t wanted[PAPER_BYTES * 8], flushed[PAPER_BYTES * 8];
@@ -55,15 +63,16 @@ static enum pel_status set_up(struct fixture *f, const struct module *m,
     glass.family = m->family;
     glass.width = m->width;
     glass.height = m->height;
-    glass.color = m->color;
+    glass.color = m->kind == INKS;
+    glass.gray = m->kind == GRAYS;
     paper_glass_init(&glass);
-    memset(wanted, PAPER_WHITE, sizeof wanted);
-    memset(flushed, PAPER_WHITE, sizeof flushed);
+    memset(wanted, glass.white, sizeof wanted);
+    memset(flushed, glass.white, sizeof flushed);
     f->module = m;
     f->paper = (struct pel_epaper){.chip = m->chip,
                                    .bus = &glass.bus,
                                    .busy = read_busy,
-                                   .format = m->color ? &pel_inks2 : &pel_mono1,
+                                   .format = formats[m->kind],
                                    .frame = frame,
                                    .width = (uint16_t)m->width,
                                    .height = (uint16_t)m->height,
@@ -90,7 +99,9 @@ static int ink_of(const struct fixture *f, const struct pel_surface *s, int x,
     const uint8_t *row =
         (const uint8_t *)s->pixels + (y - s->bounds.y0) * s->stride;
     x -= s->bounds.x0;
-    return f->module->color ? inks[row[x / 4] >> (6 - 2 * (x % 4)) & 3]
+    const int two = row[x / 4] >> (6 - 2 * (x % 4)) & 3;
+    return f->module->kind == INKS         ? inks[two]
+           : f->module->kind == GRAYS      ? PAPER_GRAY + two
            : row[x / 8] >> (7 - x % 8) & 1 ? PAPER_WHITE
                                            : PAPER_BLACK;
 }
@@ -153,8 +164,8 @@ TEST(glass_shows_the_picture)
                 assert_int_equal(flush_any(&f, r), PEL_OK);
             check_glass(&f);
             f.paper.refresh =
-                (uint8_t)(n == 0 || f.module->color ? PEL_EPAPER_FULL
-                                                    : random_word(r) % 3);
+                (uint8_t)(n == 0 || f.module->kind ? PEL_EPAPER_FULL
+                                                   : random_word(r) % 3);
             assert_int_equal(flip(&f), PEL_OK);
             assert_true(pel_epaper_busy(&f.paper));
             assert_int_equal(glass.refreshes, n + 1);
@@ -173,7 +184,7 @@ static enum pel_status run(struct fixture *f, struct random *r)
     if (status == PEL_OK)
         status = flush_any(f, r);
     f->paper.refresh =
-        (uint8_t)(f->module->color ? PEL_EPAPER_FULL : PEL_EPAPER_PARTIAL);
+        (uint8_t)(f->module->kind ? PEL_EPAPER_FULL : PEL_EPAPER_PARTIAL);
     if (status == PEL_OK)
         status = flip(f);
     return status == PEL_OK ? pel_epaper_sleep(&f->paper) : status;
@@ -251,8 +262,18 @@ TEST(what_is_refused)
     assert_int_equal(pel_epaper_init(&display, &paper), PEL_ERROR_SIZE);
     assert_int_equal(pel_epaper_init(NULL, &paper), PEL_ERROR_NULL);
     const int calls = glass.calls;
-    f.paper.refresh = PEL_EPAPER_PARTIAL; /* of color */
-    assert_int_equal(pel_display_flip(&f.display), PEL_ERROR_RANGE);
+    paper = f.paper;
+    paper.format = &pel_gray2; /* of a chip for inks, and the other way round */
+    assert_int_equal(pel_epaper_init(&display, &paper), PEL_ERROR_FORMAT);
+    paper.chip = &pel_epaper_ssd1680_gray2;
+    paper.format = &pel_inks2;
+    assert_int_equal(pel_epaper_init(&display, &paper), PEL_ERROR_FORMAT);
+    paper.format = &pel_mono1;
+    assert_int_equal(pel_epaper_init(&display, &paper), PEL_ERROR_FORMAT);
+    for (int how = PEL_EPAPER_FAST; how <= PEL_EPAPER_PARTIAL; how++) {
+        f.paper.refresh = (uint8_t)how; /* of color */
+        assert_int_equal(pel_display_flip(&f.display), PEL_ERROR_RANGE);
+    }
     f.paper.refresh = 3;
     assert_int_equal(pel_display_flip(&f.display), PEL_ERROR_RANGE);
     s = surface_of(&pel_inks2, memory, sizeof memory, 300, 128);
