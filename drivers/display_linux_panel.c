@@ -1,4 +1,4 @@
-#include "display_linux_panel.h"
+#include "display_linux_paper.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -56,11 +56,12 @@ static const struct model *find(const struct pel_panel_request *r)
 
 static int refuse(const char *name, struct pel_message *message)
 {
-    char known[200] = "";
+    char known[400] = "";
     for (int i = 0; i < MODELS; i++)
         if (i == 0 || strcmp(models[i].name, models[i - 1].name) != 0)
             sprintf(known + strlen(known), "%s%s", i ? ", " : "",
                     models[i].name);
+    pel_display_paper_names(known, sizeof known);
     return pel_message_set(message, EINVAL,
                            "unknown panel '%.60s': expected one of %s", name,
                            known);
@@ -120,7 +121,10 @@ int pel_display_panel_open(struct pel_display_panel *panel,
                            struct pel_message *message)
 {
     memset(panel, 0, sizeof *panel);
-    const int error = set_panel(&panel->panel, request, message);
+    panel->partial = request->partial;
+    const int error = pel_display_paper_find(panel, request)
+                          ? pel_display_paper_open(panel, request, message)
+                          : set_panel(&panel->panel, request, message);
     return error ? error
                  : pel_bus_linux_open(&panel->bus, &request->bus, message);
 }
@@ -131,14 +135,17 @@ int pel_display_panel_start(struct pel_display *display,
 {
     struct pel_message *message = panel->bus.message;
     panel->panel.bus = &panel->bus.bus;
-    enum pel_status status = pel_panel_init(display, &panel->panel);
+    enum pel_status status = panel->paper.chip
+                                 ? pel_display_paper_init(display, panel)
+                                 : pel_panel_init(display, &panel->panel);
     panel->told = status != PEL_ERROR_SIZE;
     if (status == PEL_ERROR_SIZE)
         return pel_message_set(
             message, EINVAL,
             "panel: size and offset reach beyond the memory of %s%s", r->chip,
-            panel->panel.format->bits == 1 ? ", or are no multiples of 8 rows"
-                                           : "");
+            panel->panel.format && panel->panel.format->bits == 1
+                ? ", or are no multiples of 8 rows"
+                : "");
     if (status == PEL_OK && r->brightness >= 0)
         status = pel_panel_brightness(&panel->panel, (uint8_t)r->brightness);
     if (status != PEL_OK)
@@ -151,10 +158,11 @@ int pel_display_panel_start(struct pel_display *display,
 void pel_display_panel_close(struct pel_display_panel *panel)
 {
     struct pel_message ignored;
-    if (panel->told) {
-        panel->bus.message = &ignored;
+    panel->bus.message = &ignored;
+    if (panel->paper.chip)
+        pel_display_paper_close(panel);
+    else if (panel->told)
         pel_panel_sleep(&panel->panel, true);
-    }
     panel->told = false;
     free(panel->frame.pixels);
     panel->frame.pixels = NULL;

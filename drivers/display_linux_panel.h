@@ -1,8 +1,10 @@
 /* A panel at the SPI or I2C pins of a Linux board, as a display with memory of
- * its own: a frame, from which flush sends what is in the clip. */
+ * its own: a frame, from which flush sends what is in the clip. On e-paper flip
+ * begins a refresh (epaper.h). */
 #ifndef PEL_DRIVERS_DISPLAY_LINUX_PANEL_H
 #define PEL_DRIVERS_DISPLAY_LINUX_PANEL_H
 
+#include "epaper.h"
 #include "panel.h"
 #include "../port/linux/bus.h"
 
@@ -13,7 +15,8 @@ struct pel_panel_request {
     char text[256];
     const char *chip;                                   /* "st7789" */
     int width, height, left, top, rotation, brightness; /* -1: not said */
-    bool inverted, swapped;
+    bool inverted, swapped, partial;
+    const char *busy; /* e-paper's line BUSY */
     struct pel_bus_request bus;
 };
 
@@ -23,7 +26,11 @@ int pel_panel_parse(struct pel_panel_request *request, const char *name,
                     struct pel_message *message);
 
 struct pel_display_panel {
-    struct pel_panel panel; /* the display's context */
+    struct pel_panel panel; /* first, as the display's context is this struct */
+    struct pel_epaper paper; /* without a chip there is none */
+    struct pel_display paper_display;
+    struct pel_gpio busy;
+    bool partial; /* refreshes after the first */
     struct pel_surface frame;
     struct pel_bus_linux bus;
     bool told; /* commands, which may have lit the chip */

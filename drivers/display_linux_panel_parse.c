@@ -62,6 +62,7 @@ static int take_value(struct pel_panel_request *r, const char *key,
                    {"dc", .text = &r->bus.dc},
                    {"reset", .text = &r->bus.reset},
                    {"light", .text = &r->bus.light},
+                   {"busy", .text = &r->busy},
                    {"size", .expected = "a size, 240x240", .first = &r->width,
                     .second = &r->height, .most = 32767, .step = 1},
                    {"offset", .expected = "an offset, 52x40", .first = &r->left,
@@ -93,8 +94,9 @@ static int take_value(struct pel_panel_request *r, const char *key,
                    ? 0
                    : refuse(message, value, "a speed, 32M");
     return refuse(message, key,
-                  "spi, mode, speed, i2c, address, dc, reset, light, size, "
-                  "offset, rotation, brightness, inverted or swapped");
+                  "spi, mode, speed, i2c, address, dc, reset, light, busy, "
+                  "size, offset, rotation, brightness, inverted, swapped or "
+                  "partial");
 }
 
 static int take(struct pel_panel_request *r, char *option,
@@ -105,6 +107,8 @@ static int take(struct pel_panel_request *r, char *option,
         r->inverted = true;
     } else if (strcmp(option, "swapped") == 0) {
         r->swapped = true;
+    } else if (strcmp(option, "partial") == 0) {
+        r->partial = true;
     } else if (!equals || !equals[1]) {
         return refuse(message, option, "OPTION=VALUE");
     } else {

@@ -42,13 +42,11 @@ static enum pel_status bus_pause(const struct pel_bus *pel_bus, bool reset,
     return error ? PEL_ERROR_DEVICE : PEL_OK;
 }
 
-/* A line that is named as in struct pel_bus_request. */
-static int open_line(struct pel_gpio *line, const char *name,
-                     struct pel_message *message)
+int pel_bus_line_open(struct pel_gpio *line, const char *name,
+                      enum pel_gpio_use use, struct pel_message *message)
 {
     char chip[64];
-    struct pel_gpio_request request = {
-        .lines = {name}, .count = 1, .use = PEL_GPIO_OUTPUT};
+    struct pel_gpio_request request = {.lines = {name}, .count = 1, .use = use};
     const char *colon = name ? strchr(name, ':') : NULL;
     if (!name)
         return 0;
@@ -63,10 +61,13 @@ static int open_line(struct pel_gpio *line, const char *name,
 static int open_lines(struct pel_bus_linux *bus,
                       const struct pel_bus_request *request)
 {
-    int error = open_line(&bus->dc, request->dc, bus->message);
-    if (!error)
-        error = open_line(&bus->reset, request->reset, bus->message);
-    return error ? error : open_line(&bus->light, request->light, bus->message);
+    const char *const names[] = {request->dc, request->reset, request->light};
+    struct pel_gpio *const lines[] = {&bus->dc, &bus->reset, &bus->light};
+    int error = 0;
+    for (int i = 0; i < 3 && !error; i++)
+        error = pel_bus_line_open(lines[i], names[i], PEL_GPIO_OUTPUT,
+                                  bus->message);
+    return error;
 }
 
 static int open_device(struct pel_bus_linux *bus,

@@ -49,6 +49,11 @@ int pel_bus_linux_open(struct pel_bus_linux *bus,
 /* Nothing when it is not open. */
 void pel_bus_linux_close(struct pel_bus_linux *bus);
 
+/* Takes a line that is named as above; nothing without a name. 0 or an errno,
+ * with the message. */
+int pel_bus_line_open(struct pel_gpio *line, const char *name,
+                      enum pel_gpio_use use, struct pel_message *message);
+
 /* For bus.c, bus_spi.c and bus_i2c.c: set up the device that is open, and
  * `command` and `data`. 0 or an errno, with the message. */
 int pel_bus_spi_start(struct pel_bus_linux *bus,

@@ -5,6 +5,16 @@ set -eu
 sizes=tests/link/budgets.tsv
 document=docs/PANELS.md
 
+# names FILE... : the chips that they name, a space around each.
+names() {
+    cat "$@" | grep -o '\(pel_panel_\|MODULE("[^"]*", *\)[a-z0-9_]*' |
+        sed 's/pel_panel_//; s/.* //' | sort -u | tr '\n' ' ' | sed 's/^/ /'
+}
+all=$(names tests/unit/test_drivers_panel.c)
+one=$(names tests/unit/test_drivers_panel_gray.c)
+qemu=$(names tests/device/lcd/*.c)
+pico=$(names tests/device/pico/*.c)
+
 page() {
     cat <<'END'
 # Panels
@@ -14,22 +24,33 @@ modules that their values are meant for. All four rotations are there, but where
 table says otherwise: `tests/unit/test_drivers_panel.c` sends pictures of every
 size and place to a model of each chip, written from its data sheet alone, which
 has to show them. No model knows all glass: where a module shows another picture,
-`inverted`, `swapped`, `left` and `top` of struct pel_panel tell the driver. An
-`st7789` and an `ssd1306` at an emulated RP2040 show [whole programs](firmware.md).
+`inverted`, `swapped`, `left` and `top` of struct pel_panel tell the driver.
+"Decoded" are so many rotations; "emulated" is what an emulator that others wrote
+has of it: its chip, or the [computer](firmware.md) that sends to it.
 
-Flash and stack in bytes of a Cortex-M0+ (`make size`): the driver with all that it
-needs of drivers/, without the board's bus. Beside the stack a panel takes 76
-bytes of RAM, two structs, and the pixels that the program draws into. Times are
+Flash and RAM in bytes of a Cortex-M0+ (`make size`): the driver with all that it
+needs of drivers/, without the board's bus. RAM is two structs and the stack; the
+pixels that the program draws into come to it. Times are
 those of the wire, in ms, at the clock of usual modules: from the reset to the
 first frame, a frame, and a part of 32 x 32 pixels.
 
-| chip | modules | flash | stack | wire | first frame | frame | 32 x 32 |
-|---|---|---:|---:|---|---:|---:|---:|
+| chip | modules | decoded | emulated | flash | RAM | wire | first frame | frame | 32 x 32 |
+|---|---|---:|---|---:|---:|---|---:|---:|---:|
 END
-    "$1" | awk -F '\t' '
+    "$1" | awk -F '\t' -v all="$all" -v one="$one" -v qemu="$qemu" \
+        -v pico="$pico" '
+        function has(names, chip) { return index(names, " " chip " ") }
+        function decoded(chip) {
+            return has(all, chip) ? 4 : has(one, chip) ? 1 : "-"
+        }
+        function emulated(chip) {
+            return has(qemu, chip) ? "chip (QEMU)" : \
+                has(pico, chip) ? "RP2040 (rp2040js)" : "-"
+        }
         FILENAME == "-" {
             k = "cortex-m0plus-Os" SUBSEP "panel_" $1
-            print "| `" $1 "` | " $2 " | " text[k] " | " stack[k] " | " $3 \
+            print "| `" $1 "` | " $2 " | " decoded($1) " | " emulated($1) \
+                " | " text[k] " | " stack[k] + 76 " | " $3 \
                 " | " $4 " | " $5 " | " $6 " |"
             next
         }
@@ -39,7 +60,8 @@ END
 E-paper ([drivers/epaper.h](../drivers/epaper.h)), in the same way: its model
 (`tests/unit/test_drivers_epaper.c`) is busy after commands, and in a partial
 refresh drives what differs alone. Beside the stack a frame of one bit a pixel is
-in RAM, of panels with red, yellow or greys two, and two structs of 84 bytes.
+in RAM, of panels with red, yellow or greys two, and two structs, 84 bytes. A
+first frame takes what its waveform takes, 0.3 s (partial) to 30 s (color).
 
 | chip | modules | full, fast, partial | flash | stack |
 |---|---|---|---:|---:|

@@ -49,10 +49,10 @@ define LINUX_LINK_WRAPPED
     $(LINUX_LIBS) -lcmocka -o $@
 endef
 
-LINUX_PANEL_WRAPS := open ioctl fcntl nanosleep pel_gpio_open pel_gpio_close pel_gpio_set
+LINUX_PANEL_WRAPS := open ioctl fcntl nanosleep pel_gpio_open pel_gpio_close pel_gpio_set pel_gpio_levels
 $(LINUX_CHECK)/panel_bus: $(LINUX_HERE)/panel_bus.c $(LINUX_OBJECTS) \
-    tests/support/panel_glass.c tests/support/check.c tests/support/main.c \
-    $(BUILD)/libpel.a
+    tests/support/panel_glass.c tests/support/paper_glass.c \
+    tests/support/check.c tests/support/main.c $(BUILD)/libpel.a
 	$(call LINUX_LINK_WRAPPED,$(LINUX_PANEL_WRAPS))
 
 LINUX_RESET_WRAPS := open close ioctl tcgetattr tcsetattr write

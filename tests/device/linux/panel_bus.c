@@ -10,14 +10,16 @@
 #include <linux/i2c.h>
 #include <linux/spi/spidev.h>
 #include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
 
-#include "core/format/formats.h"
+#include <pel/pel.h>
 #include "drivers/display_linux_panel.h"
 #include "tests/support/panel_glass.h"
+#include "tests/support/paper_glass.h"
 
 enum { BUFSIZ_OF_SPIDEV = 4096, CACHE_LINE = 128, DEVICES = 6, FAILING = 4 };
 
@@ -26,7 +28,9 @@ static struct panel_glass glass;
 static struct pel_display_panel panel;
 static struct pel_display display;
 static struct pel_message message;
-static int mode_set, lines_open, levels[3]; /* D/C, reset, light */
+static struct paper_glass paper; /* takes what is sent, if `is_paper` */
+static bool is_paper;
+static int mode_set, lines_open, levels[4]; /* D/C, reset, light, BUSY */
 static int calls, fail_at, error_given;
 static size_t messages, lines_set, bytes_sent, bytes_copied;
 
@@ -40,6 +44,14 @@ static int fails(void)
 
 static void note(int kind, const uint8_t *bytes, size_t n)
 {
+    const struct pel_bus_rows rows = {bytes, (int32_t)n, 1, 0};
+    if (is_paper) {
+        const enum pel_status status =
+            kind ? paper.bus.data(&paper.bus, &rows)
+                 : paper.bus.command(&paper.bus, bytes, n, NULL, 0);
+        assert_int_equal(status, PEL_OK);
+        return;
+    }
     for (size_t i = 0; i < n; i++)
         wire.log[wire.count++] = (uint16_t)(kind | bytes[i]);
     bytes_sent += n;
@@ -60,7 +72,7 @@ static void take_spi(const struct spi_ioc_transfer *t, size_t n)
         in_buffer += (t[i].len + CACHE_LINE - 1) / CACHE_LINE * CACHE_LINE;
         bytes_copied += t[i].len > 16 && !in_frame(bytes) ? t[i].len : 0;
         note(levels[0] ? BUS_LOG_DATA : 0, bytes, t[i].len);
-        assert_int_equal(t[i].speed_hz, 40000000);
+        assert_int_equal(t[i].speed_hz, is_paper ? 4000000 : 40000000);
     }
     assert_true(in_buffer <= BUFSIZ_OF_SPIDEV);
     messages++;
@@ -80,7 +92,8 @@ int __real_open(const char *path, int flags, ...);
 
 int __wrap_nanosleep(const struct timespec *time, struct timespec *left)
 {
-    (void)time, (void)left;
+    (void)left;
+    paper.ms += (uint32_t)time->tv_nsec / 1000000;
     return 0;
 }
 
@@ -126,15 +139,18 @@ int __wrap_pel_gpio_open(struct pel_gpio *gpio,
                          const struct pel_gpio_request *request,
                          struct pel_message *m)
 {
-    static const char *const names[] = {"GPIO25", "27", "GPIO18"};
+    static const char *const names[] = {"GPIO25", "27", "GPIO18", "GPIO24"};
     memset(gpio, 0, sizeof *gpio);
     if (fails())
         return pel_message_errno(m, request->lines[0]);
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 4; i++)
         if (strcmp(names[i], request->lines[0]) == 0)
             gpio->request = &levels[i];
     assert_non_null(gpio->request);
     assert_true((gpio->request == &levels[1]) == (request->chip != NULL));
+    assert_int_equal(request->use, gpio->request == &levels[3]
+                                       ? PEL_GPIO_FLOATING
+                                       : PEL_GPIO_OUTPUT);
     lines_open++;
     return 0;
 }
@@ -151,10 +167,22 @@ int __wrap_pel_gpio_set(struct pel_gpio *gpio, int line, bool active)
     assert_int_equal(line, 0);
     if (fails())
         return errno;
-    if (level == &levels[1] && !active)
+    if (level == &levels[1] && !active && !is_paper)
         wire.log[wire.count++] = BUS_LOG_RESET;
+    if (level == &levels[1] && !active && is_paper)
+        paper.bus.pause(&paper.bus, true, 0);
     *level = active;
     lines_set++;
+    return 0;
+}
+
+/* Lines that float are active when low. */
+int __wrap_pel_gpio_levels(struct pel_gpio *gpio, uint32_t *active)
+{
+    assert_ptr_equal(gpio->request, &levels[3]);
+    if (fails())
+        return errno;
+    *active = !paper_glass_busy(&paper);
     return 0;
 }
 
@@ -362,5 +390,146 @@ TEST(glass_that_is_refused)
         assert_non_null(strstr(message.text, names[i][1]));
         pel_display_panel_close(&panel);
         assert_int_equal(wire.count, 0);
+    }
+}
+
+/* E-paper, with the size of the glass. */
+static const struct {
+    const char *name;
+    enum paper_family family;
+    int size[2];
+    bool color, gray;
+} papers[] = {
+    {"ssd1680", PAPER_SSD, {122, 250}, false, false},
+    {"ssd1680_gray2", PAPER_SSD, {122, 250}, false, true},
+    {"ssd1681_inks2", PAPER_SSD, {200, 200}, true, false},
+    {"uc8151_gray2", PAPER_UC8151, {128, 296}, false, true},
+    {"uc8179", PAPER_UC8179, {800, 480}, false, false},
+};
+enum { PAPERS = sizeof papers / sizeof *papers };
+
+static bool is_mono(int i)
+{
+    return !papers[i].color && !papers[i].gray;
+}
+
+static int open_paper(int i)
+{
+    struct pel_panel_request request;
+    char name[160];
+    paper.family = papers[i].family;
+    paper.width = papers[i].size[0];
+    paper.height = papers[i].size[1];
+    paper.color = papers[i].color;
+    paper.gray = papers[i].gray;
+    paper_glass_init(&paper);
+    is_paper = true;
+    calls = lines_open = 0;
+    message.text[0] = 0;
+    snprintf(name, sizeof name,
+             "%s,spi=/dev/spidev0.0,speed=4M,dc=GPIO25,reset=gpiochip0:27,"
+             "busy=GPIO24%s",
+             papers[i].name, is_mono(i) ? ",partial" : "");
+    assert_int_equal(pel_panel_parse(&request, name, &message), 0);
+    const int error = pel_display_panel_open(&panel, &request, &message);
+    return error ? error : pel_display_panel_start(&display, &panel, &request);
+}
+
+static void close_paper(void)
+{
+    pel_display_panel_close(&panel);
+    assert_int_equal(lines_open, 0);
+    is_paper = false;
+}
+
+/* The whole of it black, or white. */
+static enum pel_status show(bool white)
+{
+    const struct pel_rect whole = {0, 0, display.width, display.height};
+    struct pel_surface s;
+    assert_int_equal(pel_display_begin(&display, &whole, &s), PEL_OK);
+    pel_clear(&s, white ? PEL_RGB(255, 255, 255) : PEL_RGB(0, 0, 0));
+    enum pel_status status = pel_display_flush(&display, &s);
+    return status == PEL_OK ? pel_display_flip(&display) : status;
+}
+
+TEST(paper_shows_frames)
+{
+    for (int i = 0; i < PAPERS; i++) {
+        const int later = is_mono(i) ? PEL_EPAPER_PARTIAL : PEL_EPAPER_FULL;
+        assert_int_equal(open_paper(i), 0);
+        assert_int_equal(display.width, papers[i].size[0]);
+        for (int n = 0; n < 4; n++) {
+            assert_int_equal(show(n % 2), PEL_OK);
+            assert_int_equal(paper.refreshes, n + 1);
+            assert_int_equal(panel.paper.refresh, later);
+            const int shown = n % 2            ? paper.white
+                              : papers[i].gray ? PAPER_GRAY
+                                               : PAPER_BLACK;
+            for (int k = 0; k < paper.width * paper.height; k++)
+                assert_int_equal(paper.shown[k], shown);
+        }
+        close_paper();
+        assert_true(paper.asleep);
+    }
+}
+
+/* A line BUSY that is another one, and calls that fail. */
+TEST(paper_that_stays_busy)
+{
+    assert_int_equal(open_paper(0), 0);
+    assert_int_equal(show(true), PEL_OK);
+    paper.stuck = true;
+    paper.ms = 0;
+    assert_int_equal(show(false), PEL_ERROR_DEVICE);
+    assert_in_range(paper.ms, 60000, 61000);
+    assert_non_null(strstr(message.text, "busy for a minute"));
+    close_paper();
+    paper.stuck = false;
+}
+
+TEST(paper_and_every_call_that_fails)
+{
+    const int files = next_descriptor();
+    error_given = EIO;
+    for (int i = 0; i < 2; i++) {
+        bool over = false;
+        for (int n = 1; !over; n++) {
+            fail_at = n;
+            int error = open_paper(i);
+            if (!error)
+                error = show(false);
+            if (!error)
+                error = show(true);
+            over = calls < fail_at;
+            if (over != (error == 0))
+                fail_msg("%s: call %d", papers[i].name, n);
+            assert_int_equal(error != 0, message.text[0] != 0);
+            fail_at = 0;
+            paper.busy = 0;
+            close_paper();
+            assert_int_equal(next_descriptor(), files);
+        }
+    }
+}
+
+TEST(paper_that_is_refused)
+{
+    static const char *const names[][2] = {
+        {"ssd1680,spi=/dev/a,dc=GPIO25", "busy=LINE"},
+        {"ssd1680,spi=/dev/a,dc=GPIO25,busy=GPIO24,inverted", "e-paper"},
+        {"ssd1680_gray2,spi=/dev/a,dc=GPIO25,busy=GPIO24,partial", "black"},
+        {"ssd1680,spi=/dev/a,dc=GPIO25,busy=GPIO24,size=9999x9", "memory"},
+        {"ssd1234,spi=/dev/a,dc=GPIO25", "uc8179_gray2"}};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        struct pel_panel_request request;
+        calls = 0;
+        assert_int_equal(pel_panel_parse(&request, names[i][0], &message), 0);
+        int error = pel_display_panel_open(&panel, &request, &message);
+        if (!error)
+            error = pel_display_panel_start(&display, &panel, &request);
+        assert_int_equal(error, EINVAL);
+        assert_non_null(strstr(message.text, names[i][1]));
+        pel_display_panel_close(&panel);
     }
 }
