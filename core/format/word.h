@@ -116,7 +116,8 @@ void pel_fill16(const struct pel_spans *spans, uint32_t pixel);
 void pel_fill24(const struct pel_spans *spans, uint32_t pixel);
 void pel_fill32(const struct pel_spans *spans, uint32_t pixel);
 
-/* Spans of gray4, gray2, inks2 and mono1; `byte` is the pixel repeated over 8 bits. */
+/* Spans of gray4, gray2, inks2 and mono1; `byte` is the pixel repeated over 8
+ * bits. */
 void pel_fill_bits(const struct pel_spans *spans, uint32_t byte);
 
 /* Blends spans of pixels of one bit. */
