@@ -15,7 +15,7 @@ LINUX_CACHE := $(PEL_CACHE)/linux-vm
 LINUX_ROWS := $(shell sed -n 's/^\([a-z0-9_]*\)|.*/\1/p' $(LINUX_HERE)/rows.txt)
 LINUX_JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 
-LINUX_TOOLS := $(addprefix $(LINUX_CHECK)/, layout panel_bus console_reset \
+LINUX_TOOLS := $(addprefix $(LINUX_CHECK)/, layout panel_bus panel_paper console_reset \
                input_devices panel_check vm screen_check reference kiosk)
 LINUX_GUEST := $(addprefix $(LINUX_CHECK)/guest/, pel pel_no_restore \
                pel_no_draw fb_mode console_state faults frames \
@@ -50,7 +50,8 @@ define LINUX_LINK_WRAPPED
 endef
 
 LINUX_PANEL_WRAPS := open ioctl fcntl nanosleep pel_gpio_open pel_gpio_close pel_gpio_set pel_gpio_levels
-$(LINUX_CHECK)/panel_bus: $(LINUX_HERE)/panel_bus.c $(LINUX_OBJECTS) \
+$(LINUX_CHECK)/panel_bus $(LINUX_CHECK)/panel_paper: \
+    $(LINUX_CHECK)/%: $(LINUX_HERE)/%.c $(LINUX_HERE)/panel_calls.c $(LINUX_OBJECTS) \
     tests/support/panel_glass.c tests/support/paper_glass.c \
     tests/support/check.c tests/support/main.c $(BUILD)/libpel.a
 	$(call LINUX_LINK_WRAPPED,$(LINUX_PANEL_WRAPS))
@@ -72,7 +73,7 @@ $(LINUX_CHECK)/panel_check: $(LINUX_HERE)/panel_check.c \
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $^ -lcmocka -o $@
 
-$(filter-out %/layout %/panel_bus %/console_reset %/input_devices %/panel_check %/kiosk,$(LINUX_TOOLS)): $(LINUX_CHECK)/%: $(LINUX_HERE)/%.c
+$(filter-out %/layout %/panel_bus %/panel_paper %/console_reset %/input_devices %/panel_check %/kiosk,$(LINUX_TOOLS)): $(LINUX_CHECK)/%: $(LINUX_HERE)/%.c
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $< -o $@
 
@@ -156,6 +157,7 @@ check-linux: linux-image ## fbdev, DRM, consoles and panels on a real kernel in 
 	@mkdir -p $(LINUX_CHECK)/rows
 	@$(LINUX_CHECK)/layout
 	@$(LINUX_CHECK)/panel_bus
+	@$(LINUX_CHECK)/panel_paper
 	@$(LINUX_CHECK)/console_reset
 	@$(LINUX_CHECK)/input_devices
 	@$(LINUX_HERE)/jobs.sh $(BUILD)/pel $(LINUX_CHECK)/jobs
