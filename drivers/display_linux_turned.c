@@ -8,10 +8,10 @@
  * is read for all of its pixels when the frame is turned on its side. */
 enum { STRIP = 16 };
 
-/* Pixels of the frame, from one of the device to the next. */
-struct way {
-    int32_t x, y;   /* the first */
-    int32_t dx, dy; /* to the right */
+/* Pixels of the frame that are a row of the device: the first, and from each to
+ * the next. */
+struct walk {
+    int32_t x, y, dx, dy;
 };
 
 static bool is_sideways(const struct pel_turned *turned)
@@ -29,20 +29,21 @@ static struct pel_point size_of(const struct pel_turned *turned)
     return size;
 }
 
-/* The way along row y of the device from x on. A quarter clockwise brings the
+/* Row y of the device, from x on. A quarter clockwise brings the
  * pixel (x, y) of the frame to (width - 1 - y, x). */
-static struct way way_at(const struct pel_turned *turned, int32_t x, int32_t y)
+static struct walk walk_at(const struct pel_turned *turned, int32_t x,
+                           int32_t y)
 {
     const struct pel_point size = size_of(turned);
     switch (turned->turns) {
     case 0:
-        return (struct way){x, y, 1, 0};
+        return (struct walk){x, y, 1, 0};
     case 1:
-        return (struct way){y, size.x - 1 - x, 0, -1};
+        return (struct walk){y, size.x - 1 - x, 0, -1};
     case 2:
-        return (struct way){size.x - 1 - x, size.y - 1 - y, -1, 0};
+        return (struct walk){size.x - 1 - x, size.y - 1 - y, -1, 0};
     default:
-        return (struct way){size.y - 1 - y, x, 0, 1};
+        return (struct walk){size.y - 1 - y, x, 0, 1};
     }
 }
 
@@ -76,11 +77,11 @@ static PEL_ALWAYS_INLINE void copy_pixels(uint8_t *to, const uint8_t *from,
 static void copy_bytes(const struct pel_turned *turned, int32_t x, int32_t y,
                        int32_t n, const struct pel_turned_memory *m)
 {
-    const struct way way = way_at(turned, x, y);
+    const struct walk walk = walk_at(turned, x, y);
     const ptrdiff_t bytes = m->bits / 8;
-    const ptrdiff_t step = way.dx * bytes + way.dy * turned->upright.stride;
+    const ptrdiff_t step = walk.dx * bytes + walk.dy * turned->upright.stride;
     const uint8_t *const from =
-        pel_surface_line(&turned->upright, way.y) + way.x * bytes;
+        pel_surface_line(&turned->upright, walk.y) + walk.x * bytes;
     uint8_t *const to = m->pixels + y * m->stride + x * bytes;
     if (step == bytes)
         memcpy(to, from, (size_t)(n * bytes));
@@ -105,14 +106,14 @@ static uint32_t level_at(const struct pel_surface *frame, int32_t x, int32_t y,
 static void copy_bits(const struct pel_turned *turned, int32_t x, int32_t y,
                       int32_t n, const struct pel_turned_memory *m)
 {
-    const struct way way = way_at(turned, x, y);
+    const struct walk walk = walk_at(turned, x, y);
     const uint32_t mask = (1u << m->bits) - 1;
     for (int32_t i = 0; i < n; i++) {
         const int32_t bit = (x + i) * m->bits, in = bit % 8;
         const int shift = m->low_first ? in : 8 - m->bits - in;
         uint8_t *const to = m->pixels + y * m->stride + bit / 8;
-        uint32_t level = level_at(&turned->upright, way.x + i * way.dx,
-                                  way.y + i * way.dy, m->bits);
+        uint32_t level = level_at(&turned->upright, walk.x + i * walk.dx,
+                                  walk.y + i * walk.dy, m->bits);
         if (m->inverted)
             level ^= mask;
         *to = (uint8_t)((*to & ~(mask << shift)) | level << shift);

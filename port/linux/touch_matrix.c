@@ -25,13 +25,11 @@ static struct pel_touch_matrix combined(const struct pel_touch_matrix *then,
         then->d * first->c + then->e * first->f + then->f};
 }
 
-/* Six numbers behind anything that is none, as `NAME="1 0 0 0 1 0"`. */
-static bool read_line(struct pel_touch_matrix *m, const char *line)
+/* Six numbers, in quotes or not, and nothing but a remark behind them. */
+static bool read_numbers(struct pel_touch_matrix *m, const char *text)
 {
     double *const value[6] = {&m->a, &m->b, &m->c, &m->d, &m->e, &m->f};
-    const char *text = strrchr(line, '=');
-    text = text ? text + 1 : line;
-    text += strspn(text, "\" ");
+    text += strspn(text, "\" \t");
     for (int i = 0; i < 6; i++) {
         char *end;
         *value[i] = strtod(text, &end);
@@ -39,24 +37,42 @@ static bool read_line(struct pel_touch_matrix *m, const char *line)
             return false;
         text = end;
     }
-    return text[strspn(text, "\" \r\n")] == 0;
+    text += strspn(text, "\" \t\r\n");
+    return *text == 0 || *text == '#';
+}
+
+/* Also behind something, as `NAME="1 0 0 0 1 0"`. */
+static bool read_line(struct pel_touch_matrix *m, const char *line)
+{
+    line += strspn(line, " \t");
+    if (*line == '#')
+        return false;
+    while (!read_numbers(m, line)) {
+        line = strchr(line, '=');
+        if (!line)
+            return false;
+        line++;
+    }
+    return true;
 }
 
 static int read_file(struct pel_touch_matrix *matrix, const char *path,
                      struct pel_message *message)
 {
-    char line[512];
+    char *line = NULL;
+    size_t size = 0;
     bool found = false;
     FILE *file = fopen(path, "re");
     if (!file)
         return pel_message_errno(message, path);
-    while (fgets(line, sizeof(line), file)) {
+    while (getline(&line, &size, file) > 0) {
         struct pel_touch_matrix m;
-        if (line[0] != '#' && read_line(&m, line)) {
+        if (read_line(&m, line)) {
             *matrix = m;
             found = true;
         }
     }
+    free(line);
     fclose(file);
     return found ? 0
                  : pel_message_set(message, EINVAL,

@@ -113,6 +113,11 @@ TEST(files)
         {"0 1 0 1 0 0\n", true},
         {"# a remark\nLIBINPUT_CALIBRATION_MATRIX=\"0 1 0 1 0 0\"\n", true},
         {"1 0 0 0 1 0\nENV{LIBINPUT_CALIBRATION_MATRIX}=\"0 1 0 1 0 0\"", true},
+        {"0 1 0 1 0 0 # by hand, x = y\n", true},
+        {" \t# x=0 1 0 1 0 0\n", false},
+        {"ATTRS{name}==\"glass #1\", ENV{X}=\"0 1 0 1 0 0\" # mine\n", true},
+        {"%600d=0 1 0 1 0 0\n", true},
+        {"%505d 0 1 0 1 0 0\n", false}, /* whose end alone is a matrix */
         {"", false},
         {"0 1 0 1 0\n", false},
         {"0 1 0 1 0 0 7\n", false},
@@ -124,8 +129,15 @@ TEST(files)
         struct pel_touch_matrix m;
         struct pel_message message;
         const int fd = mkstemp(path);
-        const size_t size = strlen(rows[i].text);
-        assert_int_equal(write(fd, rows[i].text, size), size);
+        char text[700];
+        const char *const digits = strchr(rows[i].text, '%');
+        if (digits)
+            snprintf(text, sizeof text, "%0*d%s", atoi(digits + 1), 0,
+                     strchr(digits, 'd') + 1);
+        else
+            snprintf(text, sizeof text, "%s", rows[i].text);
+        const size_t size = strlen(text);
+        assert_int_equal(write(fd, text, size), size);
         close(fd);
         const int error = pel_touch_matrix_parse(&m, path, &message);
         unlink(path);

@@ -33,9 +33,13 @@ becomes() { # COMMAND...
     done
 }
 
-press() { # KEYS
-    echo "@key $1"
+monitor() { # COMMAND of the emulator's monitor
+    echo "@monitor $1"
     read -r answer
+}
+
+press() { # KEYS
+    monitor "sendkey $1"
 }
 
 # Runs a command on tty1 in the background; $pid is its process, $log gets what

@@ -416,6 +416,14 @@ frames_go_on() {
     [ "$(time_of_process)" -gt "$spent" ]
 }
 
+take_away() {
+    echo "$pci" > /sys/bus/pci/drivers/bochs-drm/unbind
+}
+
+bring_back() {
+    echo "$pci" > /sys/bus/pci/drivers/bochs-drm/bind
+}
+
 # The driver is taken away while a command draws frames.
 vanish_case() { # DEVICE PATTERN DRAWING COMMAND...
     vanished=$1 pattern=$2 drawing=$3
@@ -423,7 +431,7 @@ vanish_case() { # DEVICE PATTERN DRAWING COMMAND...
     before=$(state_of_terminal)
     start "$@"
     becomes "$drawing" || fail "$vanished: nothing is drawn"
-    echo "$pci" > /sys/bus/pci/drivers/bochs-drm/unbind
+    take_away
     becomes process_ended
     kill -9 $pid 2> /dev/null
     wait $pid
@@ -435,7 +443,7 @@ vanish_case() { # DEVICE PATTERN DRAWING COMMAND...
     else
         fail "$vanished vanished: status $status: $(cat $log): $before: $after"
     fi
-    echo "$pci" > /sys/bus/pci/drivers/bochs-drm/bind
+    bring_back
     becomes test -e /dev/fb0 && becomes test -e /dev/dri/card0 ||
         fail "$vanished: it does not come back"
 }
@@ -448,4 +456,26 @@ vanish() {
         vanish_case $vanishing '^pel: ' view_runs \
             $pel view figures --device $vanishing
     done
+}
+
+# The card itself is pulled out, and another one is put in. Its driver may leave
+# at once; the card only when nobody has it open any more. A slot whose card has
+# left stays taken in the emulator.
+unplug() {
+    card=1
+    take_away() {
+        monitor "device_del card$card"
+    }
+    bring_back() {
+        becomes test ! -e "/sys/bus/pci/drivers/bochs-drm/$pci" ||
+            fail "$vanished: the card is not let go"
+        card=$((card + 1))
+        monitor "device_add bochs-display,id=card$card,addr=0x1$card,xres=640,yres=480"
+        becomes plugged > /dev/null
+        pci=$(plugged)
+    }
+    plugged() {
+        ls /sys/bus/pci/drivers/bochs-drm | grep '^0000'
+    }
+    vanish
 }

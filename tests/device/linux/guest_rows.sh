@@ -93,6 +93,11 @@ row_access() {
     vanish
 }
 
+row_unplug() {
+    . /mnt/guest_console.sh
+    unplug
+}
+
 row_suspend() {
     . /mnt/guest_console.sh
     suspend_case drm:/dev/dri/card0

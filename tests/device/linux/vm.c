@@ -6,7 +6,7 @@
  *     @screen NAME WORD...
  *                    does so until the shell command CHECK WORD... ends with
  *                    status 0, or too long
- *     @key KEYS      presses keys (ctrl-alt-f2)
+ *     @monitor TEXT  a command of the emulator's monitor: sendkey ctrl-alt-f2
  *     @input JSON    the events of QMP's input-send-event
  *     @done STATUS   the guest's last word: its status is ours
  *
@@ -168,11 +168,11 @@ static bool serve(struct vm *vm, const char *line)
         return dump(vm, LINE, line + 6) && answer(vm, "");
     if (strncmp(line, "@screen ", 8) == 0)
         return serve_screen(vm, line + 8);
-    if (strncmp(line, "@key ", 5) == 0)
+    if (strncmp(line, "@monitor ", 9) == 0)
         fprintf(vm->to_qmp,
                 "{\"execute\":\"human-monitor-command\",\"arguments\":"
-                "{\"command-line\":\"sendkey %s\"}}",
-                line + 5);
+                "{\"command-line\":\"%s\"}}",
+                line + 9);
     else if (strncmp(line, "@input ", 7) == 0)
         fprintf(vm->to_qmp,
                 "{\"execute\":\"input-send-event\",\"arguments\":"
