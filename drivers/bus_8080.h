@@ -7,6 +7,7 @@
  *     {
  *         volatile uint16_t *const to = // bank 1, RS at address line A16
  *             (volatile uint16_t *)(data ? 0x60020000 : 0x60000000);
+ *         (void)bus;
  *         for (; n > 0; n--)
  *             *to = *word++;
  *     }
@@ -15,7 +16,9 @@
  *                                            .pause = pause,
  *                                            .lines = 16,
  *                                            .write = 0x2C};
- *     static struct pel_panel panel = {.bus = &parallel.bus, ...};
+ *     static struct pel_panel panel = {.bus = &parallel.bus,
+ *                                      .chip = &pel_panel_ili9341,
+ *                                      .format = &pel_rgb565_be};
  *
  * A command and its parameters are a word for each byte, in the lower lines.
  * What comes with D/C high behind the command `write` are pixels, which take

@@ -158,8 +158,17 @@ $(LINK_STUBS:%=$(BUILD)/link/guide/%.o): $(BUILD)/link/guide/%.o: \
     tests/link/stubs/*/*/*.h) | need-arm
 	@mkdir -p $(@D)
 	$(MCU_COMPILE_cortex-m4-Os) -Itests/link/stubs/$(LINK_STUBS_$*) -c $< -o $@
+# The parallel bus of bus_8080.h's own words, on memory that a controller maps.
+$(BUILD)/link/guide/bus_8080.o: drivers/bus_8080.h drivers/panel.h | need-arm
+	@mkdir -p $(@D)
+	{ echo '#include "drivers/bus_8080.h"'; echo '#include "drivers/panel.h"'; \
+	    echo 'enum pel_status pause(const struct pel_bus_8080 *, bool, uint32_t);'; \
+	    echo 'struct pel_panel *mapped(void);'; \
+	    sed -n '/\*\//q; s/^ \*     //p' $<; \
+	    echo 'struct pel_panel *mapped(void) { return &panel; }'; } >$(@:.o=.c)
+	$(MCU_COMPILE_cortex-m4-Os) -c $(@:.o=.c) -o $@
 .PHONY: guide
-guide: $(LINK_GUIDES:%=$(BUILD)/link/guide/%.elf) \
+guide: $(LINK_GUIDES:%=$(BUILD)/link/guide/%.elf) $(BUILD)/link/guide/bus_8080.o \
     $(LINK_STUBS:%=$(BUILD)/link/guide/%.o)
 
 # Built for the host: times follow from bytes.
