@@ -23,10 +23,10 @@ size_t pel_smooth_polygon_scratch_size(int32_t n, int32_t width);
  * the exact area. Scratch memory is the caller's, may hold anything, and may be
  * used again after the call.
  *
- * Time is O(n^2) at most, plus for every visible row and every cut of it as
- * many steps as edges cross the row: an outline of which m edges cross each
- * other in one row has m^2 / 2 cuts there. Convex outlines are faster by
- * pel_smooth_convex.
+ * Time is O(n^1.5), plus for every visible row a few steps for each edge in it.
+ * A row is cut where edges meet, and only they are: m edges that share columns
+ * take m steps for each of their cuts, up to m^2 / 2 where all of them cross
+ * each other. Convex outlines are faster by pel_smooth_convex.
  * PEL_ERROR_NULL, PEL_ERROR_SCRATCH (too small, or not aligned to 8),
  * PEL_ERROR_RANGE (a vertex out of range): nothing is drawn then. */
 enum pel_status pel_smooth_polygon(const struct pel_surface *surface,
