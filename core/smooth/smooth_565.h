@@ -13,7 +13,8 @@ struct pel_smooth_runs {
     const uint8_t *count, *coverage;
 };
 
-/* Where code is to be small these formats have no function of their own. */
+/* Where code is to be small (PEL_SMOOTH_TINY) these formats have no function of
+ * their own. */
 static inline bool pel_smooth_is_565(const struct pel_surface *surface)
 {
     return !PEL_SMOOTH_TINY && surface->format &&

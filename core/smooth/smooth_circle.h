@@ -10,8 +10,8 @@ PEL_BEGIN_DECLS
  * (smooth.h). The radius is 0 to 32,767 px; 0 has no area and paints nothing.
  * The coverage is within 1 of 255 times the area up to a radius of 2,048 px,
  * and within .55 of it from 16 px on. Where twice the centre's coordinates are
- * whole pixels and the disc is inside the clip it takes less than half the
- * time. */
+ * whole pixels and the disc is inside the clip it takes half the time, but for
+ * builds with -Os. */
 void pel_smooth_circle(const struct pel_surface *surface,
                        struct pel_point center, int32_t radius,
                        const struct pel_paint *paint);
