@@ -134,7 +134,7 @@ static void add_columns(struct window *w, struct pel_smooth_crossing *c,
     sum -= c->left ? 1 : n;
     pel_smooth_strip_set(&c->strip);
     for (; n > 0; n--, x++, sum += c->left ? -1 : 1) {
-        const int32_t u = (x * 256 - c->center) * 256;
+        const int32_t u = pel_smooth_boundary(c, x);
         int32_t area = (int32_t)pel_smooth_column_area(&c->strip, u, &piece);
         if (!c->left)
             area = h - area;

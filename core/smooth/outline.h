@@ -81,6 +81,13 @@ struct pel_smooth_visitor {
 void pel_smooth_visit(struct pel_smooth_outline *outline, int32_t y,
                       struct pel_smooth_visitor *visitor);
 
+/* The inner boundary of a column that it crosses, in its picture. */
+static inline int32_t pel_smooth_boundary(const struct pel_smooth_crossing *c,
+                                          int32_t x)
+{
+    return (x * 256 - c->center) * 256;
+}
+
 /* The columns that it crosses. */
 static inline struct pel_span pel_smooth_crossing_columns(
     const struct pel_smooth_crossing *c)

@@ -1,5 +1,15 @@
 #include "round.h"
 
+static void set_circle(struct pel_smooth_bow *b, struct pel_point center,
+                       int32_t radius, bool hole)
+{
+    b->center = center;
+    b->first = 0;
+    b->count = 4;
+    b->hole = hole;
+    pel_smooth_bow_set(b, radius);
+}
+
 void pel_smooth_round(const struct pel_surface *surface,
                       const struct pel_smooth_round *round,
                       const struct pel_paint *paint)
@@ -9,13 +19,8 @@ void pel_smooth_round(const struct pel_surface *surface,
     const int32_t r = round->outer;
     struct pel_smooth_bow bow[2];
     struct pel_smooth_outline o;
-    for (int i = 0; i < 2; i++) {
-        bow[i].center = c;
-        bow[i].first = 0;
-        bow[i].count = 4;
-        bow[i].hole = i;
-        pel_smooth_bow_set(&bow[i], i ? round->inner : r);
-    }
+    set_circle(&bow[0], c, r, false);
+    set_circle(&bow[1], c, round->inner, true);
     if (round->oval) {
         bow[0].circle.oval = round->oval;
         bow[0].circle.reach = round->oval->reach;

@@ -166,14 +166,18 @@ static PEL_NOINLINE void paint_tour(const struct pel_surface *surface,
         pel_smooth_outline_paint(&t.lines.outline);
 }
 
+static bool is_legal(const struct pel_arc_shape *arc)
+{
+    return pel_point_legal(arc->center) && pel_radius_legal(arc->inner) &&
+           pel_radius_legal(arc->outer);
+}
+
 static void paint_arc(const struct pel_surface *surface,
                       const struct pel_arc_shape *arc, bool round,
                       const struct pel_paint *paint)
 {
     struct pel_angles angles;
-    const bool legal = pel_point_legal(arc->center) &&
-                       pel_radius_legal(arc->inner) &&
-                       pel_radius_legal(arc->outer);
+    const bool legal = is_legal(arc);
     const struct pel_smooth_round ring = {arc->center, {0, 0}, arc->inner,
                                           arc->outer,  NULL,   NULL};
     PEL_ASSERT(legal);

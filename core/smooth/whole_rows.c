@@ -23,12 +23,17 @@ struct sides {
     struct side side[MOST], *order[MOST];
 };
 
+static bool is_whole(const struct pel_smooth_crossing *c)
+{
+    return c->strip.far - c->strip.near == 65536;
+}
+
 /* One that does not cross a whole row counts as too many. */
 static void place(struct pel_smooth_visitor *sides,
                   struct pel_smooth_crossing *c)
 {
     struct sides *const s = (void *)sides;
-    if (s->n >= MOST || c->strip.far - c->strip.near != 65536) {
+    if (s->n >= MOST || !is_whole(c)) {
         s->n = MOST + 1;
         return;
     }
@@ -42,19 +47,24 @@ static void place(struct pel_smooth_visitor *sides,
     s->order[i] = side;
 }
 
+static int32_t bytes_of(const struct pel_span *columns,
+                        const struct pel_rect *seen)
+{
+    const bool is_seen = columns->x0 < seen->x1 && columns->x1 > seen->x0;
+    return is_seen ? columns->x1 - columns->x0 : 0;
+}
+
 /* Do sides begin and end the shape in turn, apart from each other? Counts their
  * bytes. */
 static bool are_apart(struct sides *s)
 {
-    const struct pel_rect *const seen = s->seen;
     int32_t end = INT32_MIN;
     for (int32_t i = 0; i < s->n; i++) {
         struct side *const k = s->order[i];
-        const int32_t x0 = k->columns.x0, x1 = k->columns.x1;
-        if (k->crossing.rising == (i & 1) || end > x0)
+        if (k->crossing.rising == (i & 1) || end > k->columns.x0)
             return false;
-        end = x1;
-        k->bytes = x0 < seen->x1 && x1 > seen->x0 ? x1 - x0 : 0;
+        end = k->columns.x1;
+        k->bytes = bytes_of(&k->columns, s->seen);
     }
     return true;
 }
@@ -100,8 +110,7 @@ static bool move_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
         struct pel_smooth_crossing *const c = &side->crossing;
         struct pel_smooth_strip *const strip = &c->strip;
         if (c->other >= 0) {
-            if (!o->other(o, y, c->other, c) ||
-                strip->far - strip->near != 65536)
+            if (!o->other(o, y, c->other, c) || !is_whole(c))
                 return false;
             pel_smooth_strip_set(strip);
         } else if (before && before->circle == strip->circle) {
@@ -123,24 +132,28 @@ static void note(int32_t height, int32_t y, int32_t *end)
         *end = pel_min(*end, row);
 }
 
-/* Rows before the first one, from y on, in which a side may begin or end. Sides
- * that are none of circles do so less than 4 sub-pixels from the ends of bows.
- */
+/* Sides that are none of circles begin and end less than 4 sub-pixels from the
+ * ends of bows. */
+static void note_bow(const struct pel_smooth_outline *o,
+                     const struct pel_smooth_bow *b, int32_t y, int32_t *end)
+{
+    const int32_t top = b->center.y, bottom = top + o->spread.y;
+    note(top - b->circle.radius, y, end);
+    note(top, y, end);
+    note(bottom, y, end);
+    note(bottom + b->circle.radius, y, end);
+    for (int32_t k = -4; o->cut && k <= 4; k += 8) {
+        note(top + (b->from.y >> 8) + k, y, end);
+        note(top + (b->to.y >> 8) + k, y, end);
+    }
+}
+
+/* Where rows end, from y on, in which no side begins or ends. */
 static int32_t find_end(const struct pel_smooth_outline *o, int32_t y)
 {
     int32_t end = INT32_MAX;
-    for (int32_t i = 0; i < o->bows; i++) {
-        const struct pel_smooth_bow *const b = &o->bow[i];
-        const int32_t top = b->center.y, bottom = top + o->spread.y;
-        note(top - b->circle.radius, y, &end);
-        note(top, y, &end);
-        note(bottom, y, &end);
-        note(bottom + b->circle.radius, y, &end);
-        for (int32_t k = -4; o->cut && k <= 4; k += 8) {
-            note(top + (b->from.y >> 8) + k, y, &end);
-            note(top + (b->to.y >> 8) + k, y, &end);
-        }
-    }
+    for (int32_t i = 0; i < o->bows; i++)
+        note_bow(o, &o->bow[i], y, &end);
     return end;
 }
 
@@ -156,7 +169,7 @@ static void cover(const struct pel_smooth_crossing *c, struct pel_span columns,
     int32_t x = c->left ? -columns.x1 : columns.x0;
     to += c->left ? n - 1 : 0;
     for (; n > 0; n--, x++, to += step) {
-        const int32_t u = (x * 256 - c->center) * 256;
+        const int32_t u = pel_smooth_boundary(c, x);
         const uint32_t area = pel_smooth_column_area(&c->strip, u, &piece);
         *to = pel_smooth_coverage((area ^ flip) + (flip & 32769));
     }
