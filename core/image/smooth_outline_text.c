@@ -1,6 +1,6 @@
 #include "smooth_outline_text.h"
 
-#include "../path/sides_smooth.h"
+#include "../path/sides.h"
 #include "outline_glyphs.h"
 
 enum pel_status pel_smooth_outline_text(

@@ -1,43 +1,60 @@
-#include "dasher.h"
-
+/* The pen that cuts lines into dashes, before that of the stroke. */
 #include "../base/divide.h"
 #include "../base/sqrt.h"
+#include "stroker.h"
 
 /* Of lengths, in a sub-pixel. */
 enum { UNIT = 32 };
 
+struct dasher {
+    struct pel_pen pen;
+    struct pel_stroker stroker;       /* draws the dashes */
+    int32_t period, start_left, left; /* 1/8192 px: of all dashes and gaps; what
+                                         is left of the present one where a part
+                                         begins, and here */
+    int32_t start_index, index; /* of the present one; an even one is a dash */
+    struct pel_point start, at;
+    bool has_length; /* this part, up to here */
+};
+
+typedef char
+    pel_pens_fit[sizeof(struct dasher) + sizeof(struct pel_path_state) <=
+                         PEL_PENS_SIZE
+                     ? 1
+                     : -1];
+
 /* Dashes and gaps change places from period to period where they are odd. */
-static int32_t index_count(const struct pel_stroke *stroke)
+static int32_t index_count(const struct pel_dashes *dashes)
 {
-    return stroke->dash_count * (1 + stroke->dash_count % 2);
+    return dashes->count * (1 + dashes->count % 2);
 }
 
-static int32_t length_of(const struct pel_stroke *stroke, int32_t index)
+static int32_t length_of(const struct pel_dashes *dashes, int32_t index)
 {
-    return stroke->dash[index % stroke->dash_count] * UNIT;
+    return dashes->length[index % dashes->count] * UNIT;
 }
 
-static bool is_dash(const struct pel_dasher *d)
+static bool is_dash(const struct dasher *d)
 {
     return d->index % 2 == 0;
 }
 
-static void next(struct pel_dasher *d)
+static void next(struct dasher *d)
 {
-    const struct pel_stroke *const stroke = d->stroker.stroke;
-    d->index = d->index + 1 < index_count(stroke) ? d->index + 1 : 0;
-    d->left = length_of(stroke, d->index);
+    const struct pel_dashes *const dashes = d->stroker.stroke->dashes;
+    d->index = d->index + 1 < index_count(dashes) ? d->index + 1 : 0;
+    d->left = length_of(dashes, d->index);
 }
 
 /* Goes on by a length below the period, to a dash without length, too. */
-static void skip(struct pel_dasher *d, int32_t length)
+static void skip(struct dasher *d, int32_t length)
 {
     for (; length >= d->left && (length > 0 || !is_dash(d)); next(d))
         length -= d->left;
     d->left -= length;
 }
 
-static enum pel_status pass(struct pel_dasher *d, enum pel_verb verb,
+static enum pel_status pass(struct dasher *d, enum pel_verb verb,
                             const struct pel_point *p)
 {
     return d->stroker.pen.draw(&d->stroker.pen, verb, p);
@@ -62,14 +79,14 @@ static int32_t part_of(int32_t v, int32_t along, int32_t length)
     return v < 0 ? -part : part;
 }
 
-static bool is_seen(const struct pel_dasher *d, const struct pel_point *p)
+static bool is_seen(const struct dasher *d, const struct pel_point *p)
 {
     return pel_max(d->at.y, p->y) >= d->stroker.pen.top &&
            pel_min(d->at.y, p->y) <= d->stroker.pen.bottom;
 }
 
 /* Every dash and gap that ends on the line to p. */
-static enum pel_status cut_line(struct pel_dasher *d, const struct pel_point *p,
+static enum pel_status cut_line(struct dasher *d, const struct pel_point *p,
                                 int32_t length)
 {
     enum pel_status status = PEL_OK;
@@ -89,8 +106,8 @@ static enum pel_status cut_line(struct pel_dasher *d, const struct pel_point *p,
 
 /* A dash that comes to a line that is not near the rows goes along it, where
  * nothing is seen of it; another may go on from its end. */
-static enum pel_status pass_line(struct pel_dasher *d,
-                                 const struct pel_point *p, int32_t length)
+static enum pel_status pass_line(struct dasher *d, const struct pel_point *p,
+                                 int32_t length)
 {
     enum pel_status status = PEL_OK;
     if (is_dash(d))
@@ -100,7 +117,7 @@ static enum pel_status pass_line(struct pel_dasher *d,
 }
 
 /* Where a part has had no length yet it may become a dot. */
-static enum pel_status line_to(struct pel_dasher *d, struct pel_point p)
+static enum pel_status line_to(struct dasher *d, struct pel_point p)
 {
     const int32_t length = distance(&d->at, &p);
     d->stroker.direction = (struct pel_point){p.x - d->at.x, p.y - d->at.y};
@@ -116,7 +133,7 @@ static enum pel_status line_to(struct pel_dasher *d, struct pel_point p)
 static enum pel_status draw(struct pel_pen *pen, enum pel_verb verb,
                             const struct pel_point *p)
 {
-    struct pel_dasher *const d = (struct pel_dasher *)(void *)pen;
+    struct dasher *const d = (struct dasher *)(void *)pen;
     if (verb != PEL_CLOSE && p && !pel_stroker_takes(&d->stroker, p))
         return PEL_ERROR_RANGE;
     if (verb == PEL_LINE)
@@ -131,42 +148,49 @@ static enum pel_status draw(struct pel_pen *pen, enum pel_verb verb,
     return pass(d, PEL_MOVE, p);
 }
 
-static bool set_dashes(struct pel_dasher *d, const struct pel_stroke *stroke)
+static PEL_NOINLINE bool set_dashes(struct dasher *d,
+                                    const struct pel_dashes *dashes)
 {
-    const int32_t most = PEL_PX(32767), n = index_count(stroke);
+    const int32_t most = PEL_PX(32767);
     int32_t period = 0;
-    for (int32_t i = 0; i < n; i++) {
-        const int32_t dash = stroke->dash[i % stroke->dash_count];
-        if (dash < 0 || dash > most - period)
+    if (dashes->count < 1 || dashes->count > 64)
+        return false;
+    for (int32_t i = 0; i < index_count(dashes); i++) {
+        const int32_t length = dashes->length[i % dashes->count];
+        if (length < 0 || length > most - period)
             return false;
-        period += dash;
+        period += length;
     }
-    if (period < 256 || stroke->dash_phase < 0 || stroke->dash_phase > most)
+    if (period < 256 || dashes->phase < 0 || dashes->phase > most)
         return false;
     d->period = period * UNIT;
     d->index = 0;
-    d->left = length_of(stroke, 0);
-    skip(d, stroke->dash_phase * UNIT % d->period);
+    d->left = length_of(dashes, 0);
+    skip(d, dashes->phase * UNIT % d->period);
     d->start_index = d->index;
     d->start_left = d->left;
     return true;
 }
 
-enum pel_status pel_dasher_begin(struct pel_dasher *d,
-                                 const struct pel_stroke *stroke,
-                                 struct pel_sides *sides, struct pel_pen **pen)
+static enum pel_status walk(const struct pel_lines *lines,
+                            struct pel_sides *sides)
 {
+    struct dasher *const d = sides->memory;
     const enum pel_status status =
-        pel_stroker_begin(&d->stroker, stroke, sides);
-    *pen = &d->stroker.pen;
-    if (status != PEL_OK || stroke->dash_count == 0)
+        pel_stroker_begin(&d->stroker, lines->stroke, sides);
+    if (status != PEL_OK)
         return status;
-    if (!stroke->dash)
+    if (!lines->stroke->dashes->length)
         return PEL_ERROR_NULL;
-    d->pen = (struct pel_pen){draw, PEL_COORDINATE_MIN, PEL_COORDINATE_MAX};
-    *pen = &d->pen;
-    return stroke->dash_count > 0 && stroke->dash_count <= 64 &&
-                   set_dashes(d, stroke)
-               ? PEL_OK
+    d->pen = (struct pel_pen){draw,
+                              PEL_COORDINATE_MIN,
+                              PEL_COORDINATE_MAX,
+                              d->stroker.pen.most,
+                              sides,
+                              d + 1};
+    return set_dashes(d, lines->stroke->dashes)
+               ? lines->walk(lines->shape, &d->pen)
                : PEL_ERROR_RANGE;
 }
+
+const struct pel_dash_kind pel_dashed = {walk};

@@ -10,7 +10,7 @@
  *         .verb_count = 4, .point_count = 5};
  *     static const struct pel_transform twice = {
  *         PEL_SCALE(2), 0, 0, PEL_SCALE(2), PEL_AT(40, 80)};
- *     static uint32_t scratch[PEL_PATH_SCRATCH_SIZE(32) / 4];
+ *     static uint64_t scratch[PEL_PATH_SCRATCH_SIZE(32) / 8 + 1];
  *
  *     const struct pel_path_shape shape = {
  *         .path = &leaf, .transform = &twice};
@@ -75,13 +75,17 @@ struct pel_polyline_shape {
     struct pel_stroke stroke;
 };
 
-/* Bytes of scratch memory, aligned to 4, for so many sides in a row of pixels,
- * for constant expressions. A shape is drawn in as many rows at a time as have
- * room there, and one row needs the most: of a fill two sides or more for each
- * part of the outline that goes through a row; of a stroke about 10 for each
- * line that touches a row, with round joins of 2 px, and 20 of 10 px. Memory
- * for all rows at once saves time: the path is walked once for each lot. */
-#define PEL_PATH_SCRATCH_SIZE(sides) PEL_POLYGON_SCRATCH_SIZE(sides)
+/* Bytes of scratch memory, aligned to 8, for constant expressions. A shape is
+ * drawn in as many rows at a time as have room there; memory for all rows at
+ * once saves time, as the path is walked once for each lot. One row needs: of a
+ * fill so many sides in a row of pixels, two or more for each part of the
+ * outline that goes through it; of a stroke nothing but so many pixels, the
+ * width of the clip. */
+#define PEL_PATH_SCRATCH_SIZE(sides) \
+    (PEL_POLYGON_SCRATCH_SIZE(sides) + 54 * sizeof(void *))
+#define PEL_STROKE_SCRATCH_SIZE(width, rows)                                  \
+    (PEL_CAST(size_t, rows) * (PEL_CAST(size_t, (width) + 31) / 32 + 2) * 4 + \
+     112 * sizeof(void *))
 
 /* Is it a path? PEL_ERROR_NULL, PEL_ERROR_FORMAT (a verb that is none, or
  * before the first PEL_MOVE; points that are too many or too few). For data
@@ -96,9 +100,9 @@ enum pel_status pel_path_check(const struct pel_path *path);
  * PEL_ERROR_NULL, PEL_ERROR_FORMAT (as pel_path_check), PEL_ERROR_RANGE (a
  * point out of range; of a stroke, one nearer to its end than the width, or
  * than half of the width times the miter limit; a number of the shape out of
- * its own range), PEL_ERROR_SCRATCH (not aligned to 4): nothing is drawn then.
- *  PEL_ERROR_SCRATCH, too, where one row has more sides than there is room
- * for: rows above it have been drawn. */
+ * its own range), PEL_ERROR_SCRATCH (not aligned to 8): nothing is drawn then.
+ * PEL_ERROR_SCRATCH, too, where there is no room for one row: of a fill, which
+ * has more sides there, rows above it have been drawn. */
 enum pel_status pel_path_fill(const struct pel_surface *surface,
                               const struct pel_path_shape *shape,
                               const struct pel_paint *paint, void *scratch,
@@ -113,7 +117,7 @@ enum pel_status pel_polyline(const struct pel_surface *surface,
                              size_t size);
 
 /* Hit tests as in hit/hit.h: true for the pixels that these cover. They walk
- * the path and need no memory. */
+ * the path. */
 bool pel_hit_path_fill(const struct pel_path_shape *shape, int32_t x,
                        int32_t y);
 bool pel_hit_path_stroke(const struct pel_path_shape *shape, int32_t x,

@@ -1,27 +1,28 @@
+/* Fills of paths: their sides into the sweep of centres, or past the centre of
+ * one pixel. */
+#include "../raster/crossing.h"
+#include "../raster/sweep.h"
 #include "pen.h"
-
-static bool line_to(struct pel_fill_pen *f, struct pel_point p)
-{
-    const struct pel_point from = f->at;
-    f->at = p;
-    return f->sides->kind->add(f->sides, &from, &p);
-}
 
 /* Parts that are left open are closed. */
 static enum pel_status draw(struct pel_pen *pen, enum pel_verb verb,
                             const struct pel_point *p)
 {
     struct pel_fill_pen *const f = (struct pel_fill_pen *)(void *)pen;
-    const bool room = line_to(f, verb == PEL_LINE ? *p : f->start);
+    struct pel_sides *const sides = pen->sides;
+    const struct pel_point *const to = verb == PEL_LINE ? p : &f->start;
+    sides->kind->add(sides, to->x, to->y);
     if (verb == PEL_MOVE && p)
-        f->start = f->at = *p;
-    return room ? PEL_OK : PEL_ERROR_SCRATCH;
+        f->start = sides->at = *p;
+    return sides->full ? PEL_ERROR_SCRATCH : PEL_OK;
 }
 
-void pel_fill_pen_begin(struct pel_fill_pen *pen, struct pel_sides *sides)
+void pel_fill_pen_begin(struct pel_fill_pen *f, struct pel_sides *sides)
 {
-    *pen = (struct pel_fill_pen){.pen = {draw, sides->top, sides->bottom},
-                                 .sides = sides};
+    *f = (struct pel_fill_pen){.pen = {draw, sides->top, sides->bottom,
+                                       PEL_COORDINATE_MAX, sides,
+                                       sides->memory}};
+    sides->at = f->start;
 }
 
 enum pel_status pel_path_walk_fill(const void *shape, struct pel_sides *sides)
@@ -29,6 +30,76 @@ enum pel_status pel_path_walk_fill(const void *shape, struct pel_sides *sides)
     struct pel_fill_pen f;
     pel_fill_pen_begin(&f, sides);
     return pel_path_walk(shape, &f.pen);
+}
+
+struct fill {
+    struct pel_sides sides;
+    struct pel_sweep *sweep;
+    const struct pel_surface *surface;
+    const struct pel_paint *paint;
+    struct pel_path_state state;
+};
+
+typedef char
+    pel_fill_fits[PEL_PATH_SCRATCH_SIZE(0) >=
+                          sizeof(struct fill) + PEL_POLYGON_SCRATCH_SIZE(0)
+                      ? 1
+                      : -1];
+
+static void begin_sweep(struct pel_sides *sides)
+{
+    ((struct fill *)(void *)sides)->sweep->count = 0;
+}
+
+static void add_to_sweep(struct pel_sides *sides, int32_t x, int32_t y)
+{
+    struct fill *const f = (struct fill *)(void *)sides;
+    const struct pel_point from = sides->at;
+    sides->at = (struct pel_point){x, y};
+    sides->full |=
+        !pel_sweep_add(f->sweep, &from, &sides->at, sides->y0, sides->y1);
+}
+
+static void paint_sweep(struct pel_sides *sides)
+{
+    struct fill *const f = (struct fill *)(void *)sides;
+    pel_sweep_paint(f->sweep, f->surface, f->paint);
+}
+
+static const struct pel_sides_kind fill_kind = {
+    .begin = begin_sweep, .add = add_to_sweep, .paint = paint_sweep};
+
+static PEL_NOINLINE enum pel_status begin_fill(
+    const struct pel_surface *surface, enum pel_fill_rule rule,
+    const struct pel_paint *paint, const struct pel_scratch *scratch)
+{
+    const size_t head = PEL_PATH_SCRATCH_SIZE(0);
+    struct fill *const f = scratch->memory;
+    if (!surface || !paint || !f)
+        return PEL_ERROR_NULL;
+    if ((uintptr_t)f % 8 || scratch->size < head)
+        return PEL_ERROR_SCRATCH;
+    const size_t room =
+        (scratch->size - head) / (PEL_PATH_SCRATCH_SIZE(1) - head);
+    f->sides.kind = &fill_kind;
+    f->sides.memory = &f->state;
+    f->surface = surface;
+    f->paint = paint;
+    f->sweep =
+        pel_sweep_begin(f + 1, room > 65536 ? 65536 : (int32_t)room, rule);
+    return PEL_OK;
+}
+
+enum pel_status pel_sides_fill(const struct pel_surface *surface,
+                               const struct pel_outline_source *source,
+                               enum pel_fill_rule rule,
+                               const struct pel_paint *paint,
+                               const struct pel_scratch *scratch)
+{
+    const enum pel_status status = begin_fill(surface, rule, paint, scratch);
+    return status == PEL_OK
+               ? pel_sides_draw(scratch->memory, &surface->clip, source)
+               : status;
 }
 
 enum pel_status pel_path_fill(const struct pel_surface *surface,
@@ -40,6 +111,35 @@ enum pel_status pel_path_fill(const struct pel_surface *surface,
     const struct pel_scratch memory = {scratch, size};
     return shape ? pel_sides_fill(surface, &source, shape->rule, paint, &memory)
                  : PEL_ERROR_NULL;
+}
+
+struct hit {
+    struct pel_sides sides;
+    struct pel_point center;
+    int32_t winding;
+};
+
+static void add_crossing(struct pel_sides *sides, int32_t x, int32_t y)
+{
+    struct hit *const h = (struct hit *)(void *)sides;
+    const struct pel_point from = sides->at;
+    sides->at = (struct pel_point){x, y};
+    h->winding += pel_crossing(&from, &sides->at, h->center);
+}
+
+static const struct pel_sides_kind hit_kind = {.add = add_crossing};
+
+bool pel_sides_hit(const struct pel_outline_source *source,
+                   enum pel_fill_rule rule, int32_t x, int32_t y)
+{
+    struct pel_path_state state;
+    struct hit h = {.sides = {.kind = &hit_kind, .memory = &state}};
+    if (!pel_pixel_legal(x, y))
+        return false;
+    h.center = (struct pel_point){pel_pixel_center(x), pel_pixel_center(y)};
+    pel_sides_set_rows(&h.sides, y, y + 1);
+    return source->walk(source->shape, &h.sides) == PEL_OK &&
+           (rule == PEL_EVEN_ODD ? h.winding & 1 : h.winding != 0);
 }
 
 bool pel_hit_path_fill(const struct pel_path_shape *shape, int32_t x, int32_t y)

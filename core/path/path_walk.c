@@ -11,14 +11,6 @@
  * points is 3 at least. */
 #include "pen.h"
 
-struct walk {
-    const struct pel_path_shape *shape;
-    const uint8_t *verb;
-    int32_t next, points; /* the next point; how many there are */
-    bool begun;
-    struct pel_curves curves;
-};
-
 static const uint8_t points_of[PEL_CLOSE + 1] = {1, 1, 2, 3, 0};
 
 /* Adds to *to a coordinate of a point by the row (a, b) of the transform;
@@ -42,7 +34,7 @@ bool pel_transform_point(const struct pel_transform *t, int32_t x, int32_t y,
 }
 
 /* Sets *to to the next point; false: it is out of range. */
-static bool take_point(struct walk *w, struct pel_point *to)
+static bool take_point(struct pel_path_state *w, struct pel_point *to)
 {
     const struct pel_transform *const t = w->shape->transform;
     const struct pel_path *const path = w->shape->path;
@@ -62,22 +54,18 @@ static int32_t size_of(int32_t x, int32_t y)
     return pel_max(x, y) + pel_min(x, y) / 2 + 1;
 }
 
-/* The factors of t, t^2 and t^3 in one direction, of a curve of n points. */
-struct factors {
-    int32_t c, b, a;
-};
-
-static struct factors factors_of(const int32_t *p, int n)
+/* Of a curve of n points. */
+static struct pel_factors factors_of(const int32_t *p, int n)
 {
-    struct factors f = {2 * (p[2] - p[0]), p[0] - 2 * p[2] + p[4], 0};
+    struct pel_factors f = {2 * (p[2] - p[0]), p[0] - 2 * p[2] + p[4], 0};
     if (n == 3)
-        f = (struct factors){3 * (p[2] - p[0]), 3 * f.b,
-                             p[6] - 3 * p[4] + 3 * p[2] - p[0]};
+        f = (struct pel_factors){3 * (p[2] - p[0]), 3 * f.b,
+                                 p[6] - 3 * p[4] + 3 * p[2] - p[0]};
     return f;
 }
 
 /* log2 of how many lines it becomes. */
-static int parts_of(const struct factors *x, const struct factors *y,
+static int parts_of(const struct pel_factors *x, const struct pel_factors *y,
                     int32_t tolerance)
 {
     const int32_t size =
@@ -90,7 +78,7 @@ static int parts_of(const struct factors *x, const struct factors *y,
 
 /* Where t = i / 2^k is, from t = 0, rounded. The product is what this times
  * 2^3k is, below 2^60; sums before it wrap around. */
-static int32_t move_of(const struct factors *f, int32_t i, int k)
+static int32_t move_of(const struct pel_factors *f, int32_t i, int k)
 {
     const uint64_t b = (uint64_t)(int64_t)f->b << k;
     const uint64_t c = (uint64_t)(int64_t)f->c << 2 * k;
@@ -105,21 +93,29 @@ static bool is_seen(const struct pel_curves *w, int n)
     return box.y1 >= w->pen->top && box.y0 <= w->pen->bottom;
 }
 
+static PEL_NOINLINE void set_point(struct pel_curves *w)
+{
+    w->to.x = w->v[0].x + move_of(&w->x, w->i, w->k);
+    w->to.y = w->v[0].y + move_of(&w->y, w->i, w->k);
+}
+
+static PEL_NOINLINE void set_curve(struct pel_curves *w, int n)
+{
+    w->x = factors_of(&w->v[0].x, n);
+    w->y = factors_of(&w->v[0].y, n);
+    w->k = parts_of(&w->x, &w->y, w->tolerance ? w->tolerance : 16);
+    w->seen = is_seen(w, n);
+}
+
 static enum pel_status draw_curve(struct pel_curves *w, int n)
 {
-    const struct factors x = factors_of(&w->v[0].x, n);
-    const struct factors y = factors_of(&w->v[0].y, n);
-    const int32_t tolerance = w->tolerance;
-    const int k = parts_of(&x, &y, tolerance ? tolerance : 16);
-    const int32_t end = 1 << k;
-    const bool seen = is_seen(w, n);
+    set_curve(w, n);
     enum pel_status status = PEL_OK;
-    for (int32_t i = 1; i < end && status == PEL_OK; i++) {
-        const struct pel_point p = {w->v[0].x + move_of(&x, i, k),
-                                    w->v[0].y + move_of(&y, i, k)};
-        status = w->pen->draw(w->pen, PEL_LINE, &p);
-        if (!seen)
-            i = pel_max(i, end - 2);
+    for (w->i = 1; w->i < 1 << w->k && status == PEL_OK; w->i++) {
+        set_point(w);
+        status = w->pen->draw(w->pen, PEL_LINE, &w->to);
+        if (!w->seen)
+            w->i = pel_max(w->i, (1 << w->k) - 2);
     }
     return status == PEL_OK ? w->pen->draw(w->pen, PEL_LINE, &w->v[n]) : status;
 }
@@ -151,18 +147,31 @@ enum pel_status pel_curves_add(struct pel_curves *w, enum pel_verb verb)
     return status;
 }
 
-static enum pel_status take_verb(struct walk *w)
+/* Is it a verb, at its place, whose points are there? */
+static bool is_legal(const struct pel_path_state *w, uint32_t verb)
 {
-    const uint8_t verb = *w->verb++;
-    if (verb > PEL_CLOSE || w->points - w->next < points_of[verb] ||
-        (!w->begun && verb != PEL_MOVE))
+    return verb <= PEL_CLOSE && w->points - w->next >= points_of[verb] &&
+           (w->begun || verb == PEL_MOVE);
+}
+
+static PEL_NOINLINE enum pel_status take_points(struct pel_path_state *w,
+                                                uint32_t verb)
+{
+    if (!is_legal(w, verb))
         return PEL_ERROR_FORMAT;
-    const int n = points_of[verb];
-    for (int i = 1; i <= n; i++)
+    for (int i = 1; i <= points_of[verb]; i++)
         if (!take_point(w, &w->curves.v[i]))
             return PEL_ERROR_RANGE;
     w->begun = true;
-    return pel_curves_add(&w->curves, (enum pel_verb)verb);
+    return PEL_OK;
+}
+
+static enum pel_status take_verb(struct pel_path_state *w)
+{
+    const enum pel_status status = take_points(w, *w->verb++);
+    return status == PEL_OK
+               ? pel_curves_add(&w->curves, (enum pel_verb)w->verb[-1])
+               : status;
 }
 
 static enum pel_status check(const struct pel_path *path)
@@ -191,22 +200,36 @@ enum pel_status pel_path_check(const struct pel_path *path)
     return points == path->point_count ? PEL_OK : PEL_ERROR_FORMAT;
 }
 
-enum pel_status pel_path_walk(const struct pel_path_shape *shape,
-                              struct pel_pen *pen)
+static PEL_NOINLINE enum pel_status begin(const struct pel_path_shape *shape,
+                                          struct pel_pen *pen)
 {
     const int32_t tolerance = shape->tolerance;
-    enum pel_status status = check(shape->path);
-    struct walk w = {.shape = shape,
-                     .curves = {.pen = pen, .tolerance = tolerance}};
+    struct pel_path_state *const w = pen->memory;
+    const enum pel_status status = check(shape->path);
     if (status != PEL_OK)
         return status;
     if (tolerance && (tolerance < 4 || tolerance > 65535))
         return PEL_ERROR_RANGE;
-    w.verb = shape->path->verbs;
-    w.points = shape->path->point_count;
-    for (int32_t i = 0; i < shape->path->verb_count && status == PEL_OK; i++)
-        status = take_verb(&w);
-    if (status == PEL_OK && w.next < w.points)
+    w->shape = shape;
+    w->verb = shape->path->verbs;
+    w->next = 0;
+    w->points = shape->path->point_count;
+    w->begun = w->curves.closed = false;
+    w->curves.pen = pen;
+    w->curves.tolerance = tolerance;
+    return PEL_OK;
+}
+
+enum pel_status pel_path_walk(const void *shape, struct pel_pen *pen)
+{
+    struct pel_path_state *const w = pen->memory;
+    enum pel_status status = begin(shape, pen);
+    if (status != PEL_OK)
+        return status;
+    const uint8_t *const end = w->verb + w->shape->path->verb_count;
+    while (w->verb < end && status == PEL_OK)
+        status = take_verb(w);
+    if (status == PEL_OK && w->next < w->points)
         status = PEL_ERROR_FORMAT;
     return status == PEL_OK ? pen->draw(pen, PEL_MOVE, NULL) : status;
 }

@@ -5,18 +5,12 @@
 
 #include "sides.h"
 
-struct pel_pen {
-    /* PEL_MOVE begins a part at *p, which is legal, and NULL ends the path;
-     * PEL_LINE goes to *p; PEL_CLOSE ends a part where it began. */
-    enum pel_status (*draw)(struct pel_pen *pen, enum pel_verb verb,
-                            const struct pel_point *p);
-    int32_t top, bottom; /* a curve outside of these rows, in sub-pixels, may
-                            become three lines */
-};
+struct pel_pen;
 
-/* Walks a path whose lines a pen draws. */
-enum pel_status pel_path_walk(const struct pel_path_shape *shape,
-                              struct pel_pen *pen);
+/* A coordinate of a curve: the factors of t, t^2 and t^3. */
+struct pel_factors {
+    int32_t c, b, a;
+};
 
 /* Curves on their way to a pen. */
 struct pel_curves {
@@ -24,7 +18,33 @@ struct pel_curves {
     int32_t tolerance;            /* as in struct pel_path_shape */
     struct pel_point start, v[4]; /* where the part began; where the curve does,
                                      and the points that its verb takes */
-    bool closed;
+    struct pel_factors x, y;      /* of a curve of 2^k lines, */
+    struct pel_point to;          /* at the end of number i */
+    int32_t i;
+    int k;
+    bool seen, closed;
+};
+
+/* A path that is walked. */
+struct pel_path_state {
+    const struct pel_path_shape *shape;
+    const uint8_t *verb;
+    int32_t next, points; /* the next point; how many there are */
+    bool begun;
+    struct pel_curves curves;
+};
+
+struct pel_pen {
+    /* PEL_MOVE begins a part at *p, which is legal, and NULL ends the path;
+     * PEL_LINE goes to *p; PEL_CLOSE ends a part where it began. */
+    enum pel_status (*draw)(struct pel_pen *pen, enum pel_verb verb,
+                            const struct pel_point *p);
+    int32_t top, bottom; /* what lies on one side of these rows, in sub-pixels,
+                            may be left out: a curve may become three lines, and
+                            lines one */
+    int32_t most;        /* of a coordinate of a legal point */
+    struct pel_sides *sides;
+    void *memory; /* for a struct pel_path_state */
 };
 
 /* Draws what the verb does with the points from v[1] on, which are legal. */
@@ -37,8 +57,7 @@ bool pel_transform_point(const struct pel_transform *transform, int32_t x,
 /* The pen of a fill, which makes sides of lines and closes parts. */
 struct pel_fill_pen {
     struct pel_pen pen;
-    struct pel_sides *sides;
-    struct pel_point start, at;
+    struct pel_point start;
 };
 
 void pel_fill_pen_begin(struct pel_fill_pen *pen, struct pel_sides *sides);

@@ -10,9 +10,11 @@ struct pel_sides;
 struct pel_sides_kind {
     /* Forgets all sides; the rows have changed. */
     void (*begin)(struct pel_sides *sides);
-    /* Takes one, of legal points; false: there is no room for it. */
-    bool (*add)(struct pel_sides *sides, const struct pel_point *a,
-                const struct pel_point *b);
+    /* Takes one from `at` to (x, y), a legal point, and goes there. */
+    void (*add)(struct pel_sides *sides, int32_t x, int32_t y);
+    /* Ends a convex piece of a stroke: its sides were added clockwise on
+     * screen, from `start` on. NULL: sides that pieces share are left out. */
+    void (*end)(struct pel_sides *sides);
     /* Paints what is inside. */
     void (*paint)(struct pel_sides *sides);
 };
@@ -22,6 +24,17 @@ struct pel_sides {
     const struct pel_sides_kind *kind;
     int32_t y0, y1;      /* rows that are drawn */
     int32_t top, bottom; /* the same in sub-pixels */
+    void *memory;        /* for the pens of a walk, PEL_PENS_SIZE bytes */
+    struct pel_point at, start;
+    bool in_piece;
+    bool full; /* there was no room for a side */
+};
+
+/* Memory of a shape that is drawn, at the head of the scratch memory, as stacks
+ * are small: what takes the sides, and behind it the pens. */
+enum {
+    PEL_PENS_SIZE = 86 * sizeof(void *),
+    PEL_TAKER_SIZE = PEL_STROKE_SCRATCH_SIZE(0, 0) - PEL_PENS_SIZE
 };
 
 /* What makes them: walks all of an outline. PEL_ERROR_SCRATCH: there was no
@@ -36,26 +49,49 @@ struct pel_scratch {
     size_t size;
 };
 
+static inline void pel_sides_set_rows(struct pel_sides *s, int32_t y0,
+                                      int32_t y1)
+{
+    s->y0 = y0;
+    s->y1 = y1;
+    s->top = PEL_PX(y0);
+    s->bottom = PEL_PX(y1);
+    s->full = false;
+}
+
 /* Draws the source inside the clip: as many rows at a time as have room. */
 enum pel_status pel_sides_draw(struct pel_sides *sides,
                                const struct pel_rect *clip,
                                const struct pel_outline_source *source);
 
-/* The same with the aliased sweep. */
+/* The same with the aliased sweep, and with that of areas. */
 enum pel_status pel_sides_fill(const struct pel_surface *surface,
                                const struct pel_outline_source *source,
                                enum pel_fill_rule rule,
                                const struct pel_paint *paint,
                                const struct pel_scratch *scratch);
+enum pel_status pel_sides_smooth(const struct pel_surface *surface,
+                                 const struct pel_outline_source *source,
+                                 enum pel_fill_rule rule,
+                                 const struct pel_paint *paint,
+                                 const struct pel_scratch *scratch);
 
 /* Is the centre of pixel (x, y) inside? */
 bool pel_sides_hit(const struct pel_outline_source *source,
                    enum pel_fill_rule rule, int32_t x, int32_t y);
 
-/* The sources: shapes of struct pel_path_shape and pel_polyline_shape. */
+/* The source of the fill of a struct pel_path_shape. */
 enum pel_status pel_path_walk_fill(const void *shape, struct pel_sides *sides);
-enum pel_status pel_path_walk_stroke(const void *shape,
-                                     struct pel_sides *sides);
-enum pel_status pel_polyline_walk(const void *shape, struct pel_sides *sides);
+
+/* The lines of the shapes of strokes. */
+struct pel_pen;
+enum pel_status pel_path_walk(const void *shape, struct pel_pen *pen);
+enum pel_status pel_polyline_walk(const void *shape, struct pel_pen *pen);
+
+/* Can pixel (x, y) be one of a surface? */
+static inline bool pel_pixel_legal(int32_t x, int32_t y)
+{
+    return (((uint32_t)x + 32768u) | ((uint32_t)y + 32768u)) >> 16 == 0;
+}
 
 #endif

@@ -7,12 +7,11 @@
 
 PEL_BEGIN_DECLS
 
-/* Bytes of scratch memory, aligned to 8, for so many sides in a row, as
- * PEL_PATH_SCRATCH_SIZE counts them, on a surface whose clip is `width` px
- * wide.
- */
+/* Bytes of scratch memory, aligned to 8, for so many sides in a row, on a
+ * surface whose clip is `width` px wide. A stroke has about 8 for each line
+ * that touches a row, with round joins of 2 px, and 20 of 10 px. */
 #define PEL_SMOOTH_PATH_SCRATCH_SIZE(sides, width) \
-    PEL_SMOOTH_POLYGON_SCRATCH_SIZE(sides, width)
+    (PEL_SMOOTH_POLYGON_SCRATCH_SIZE(sides, width) + 144 * sizeof(void *))
 
 /* The same outlines as their twins in path.h, painted by the part of each pixel
  * that is inside, as pel_smooth_polygon does: within .5 + .02 k of 255, of k

@@ -2,61 +2,50 @@
  * screen: from n, half of the width to the left of a line that arrives, to what
  * is left of the one that leaves, and on the other side back. */
 #include "../base/divide.h"
-#include "../base/trig.h"
 #include "stroker.h"
-
-static void border_to(struct pel_stroker *s, int32_t x, int32_t y)
-{
-    const struct pel_point from = s->border;
-    s->border = (struct pel_point){x, y};
-    pel_stroke_side(s, from, s->border);
-}
-
-static struct pel_point negative(struct pel_point p)
-{
-    return (struct pel_point){-p.x, -p.y};
-}
 
 /* 32,768 sin of 64ths of a turn, up to a quarter. */
 static const uint16_t sines[17] = {0,     3212,  6393,  9512,  12540, 15447,
                                    18205, 20788, 23170, 25330, 27246, 28899,
                                    30274, 31357, 32138, 32610, 32768};
 
-/* The corner of the circle, 32,768 px away; of small ones by the table. */
-static struct pel_point corner_of(const struct pel_stroker *s, uint32_t i)
+/* p turned clockwise by i 2^-k of a turn, less than a 64th: t in 2^-16, sin t
+ * = t - t^3 / 6, 1 - cos t = t^2 / 2. */
+static struct pel_point turned(struct pel_point p, uint32_t i, int k)
 {
-    if (s->circle > 6)
-        return pel_direction((uint16_t)(i << (16 - s->circle)));
-    i <<= 6 - s->circle;
-    const struct pel_point d = {sines[16 - (i & 15)], sines[i & 15]};
-    switch (i >> 4 & 3) {
-    case 0:
-        return d;
-    case 1:
-        return (struct pel_point){-d.y, d.x};
-    case 2:
-        return (struct pel_point){-d.x, -d.y};
-    default:
-        return (struct pel_point){d.y, -d.x};
-    }
+    const int32_t t = (int32_t)(i * 411775) >> k;
+    const int32_t square = t * t >> 16,
+                  sin = t - ((square * t >> 16) * 10923 >> 16);
+    return (struct pel_point){p.x - ((p.y * sin + p.x * (square / 2)) >> 16),
+                              p.y + ((p.x * sin - p.y * (square / 2)) >> 16)};
 }
 
-/* The last corner before a direction, or in it: of small circles, whose radius
- * is below 2^12, by the table, in the quarter that has it. */
-static uint32_t corner_before(const struct pel_stroker *s, struct pel_point p)
+/* Corner i of a circle of 2^k, 32,768 away: of 64 by the table. */
+static struct pel_point corner_of(uint32_t i, int k)
+{
+    const int more = pel_max(k - 6, 0);
+    const uint32_t at = k < 6 ? i << (6 - k) : i >> more;
+    struct pel_point d = {sines[16 - (at & 15)], sines[at & 15]};
+    for (uint32_t quarter = at >> 4 & 3; quarter > 0; quarter--)
+        d = (struct pel_point){-d.y, d.x};
+    return more ? turned(d, i & ((UINT32_C(1) << more) - 1), k) : d;
+}
+
+/* The last one before a direction, which is 32,768 long, or in it. */
+uint32_t pel_stroke_corner(struct pel_point p, int k)
 {
     uint32_t quarter = 0, i = 0;
-    if (s->circle > 6)
-        return pel_turn_of(p.x, p.y) >> (32 - s->circle);
     for (; p.x <= 0 || p.y < 0; quarter++)
         p = (struct pel_point){p.y, -p.x};
-    for (uint32_t bit = 8; bit > 0; bit /= 2)
-        if (p.y * sines[16 - (i + bit)] >= p.x * sines[i + bit])
+    for (uint32_t bit = UINT32_C(1) << (k - 3); bit > 0; bit /= 2) {
+        const struct pel_point d = corner_of(i + bit, k);
+        if (p.y * d.x >= p.x * d.y)
             i += bit;
-    return (quarter * 16 + i) >> (6 - s->circle);
+    }
+    return (quarter << (k - 2)) + i;
 }
 
-/* round(v of corner_of radius / 32,768). */
+/* round(v of corner_of radius / 32,768); of small circles below 2^31. */
 static int32_t scaled(const struct pel_stroker *s, int32_t v)
 {
     if (s->circle > 6)
@@ -64,17 +53,21 @@ static int32_t scaled(const struct pel_stroker *s, int32_t v)
     return (v * s->round + 16384) >> 15;
 }
 
-/* The corners of the circle that lie between two directions. Rounding may make
- * the first one the later one of two that are nearly the same: then they are
- * all of the circle, which the stroke covers anyway. */
-static void arc(struct pel_stroker *s, struct pel_point p,
-                struct pel_point from, struct pel_point to)
+/* That corner, or the one on the other side. */
+static uint32_t opposite(const struct pel_stroker *s, uint32_t corner,
+                         bool other)
 {
-    uint32_t i = corner_before(s, from);
-    uint32_t n = (corner_before(s, to) - i) & ((UINT32_C(1) << s->circle) - 1);
-    for (; n > 0; n--) {
-        const struct pel_point d = corner_of(s, ++i);
-        border_to(s, p.x + scaled(s, d.x), p.y + scaled(s, d.y));
+    return corner + ((uint32_t)other << (s->circle - 1));
+}
+
+/* The corners of the circle behind number i, up to number `to`. Rounding may
+ * make the first one the later one of two directions that are nearly the same:
+ * then they are all of the circle, which the stroke covers anyway. */
+static void arc(struct pel_stroker *s, uint32_t i, uint32_t to)
+{
+    for (uint32_t n = (to - i) & ((UINT32_C(1) << s->circle) - 1); n > 0; n--) {
+        const struct pel_point d = corner_of(++i, s->circle);
+        pel_border_to(s, scaled(s, d.x), scaled(s, d.y));
     }
 }
 
@@ -90,7 +83,7 @@ static int32_t meet(int32_t v, int32_t half, int32_t k)
 
 /* To where the sides meet, if that is within the limit l: 1 / cos(turn / 2)
  * <= l, and 2 cos(turn / 2)^2 = 1 + cos(turn). */
-static void miter(struct pel_stroker *s, struct pel_point p, int32_t side,
+static void miter(struct pel_stroker *s, int32_t side,
                   const struct pel_stroke_line *m,
                   const struct pel_stroke_line *n)
 {
@@ -99,65 +92,92 @@ static void miter(struct pel_stroker *s, struct pel_point p, int32_t side,
     const int32_t k = (1 << 28) + (int32_t)cos;
     if (pel_product(s->limit * s->limit, k) < INT64_C(1) << 45)
         return;
-    border_to(s, p.x + side * meet((m->u.y + n->u.y) / 2, s->half, k),
-              p.y - side * meet((m->u.x + n->u.x) / 2, s->half, k));
+    pel_border_to(s, side * meet((m->u.y + n->u.y) / 2, s->half, k),
+                  -side * meet((m->u.x + n->u.x) / 2, s->half, k));
 }
 
-/* Both lines cover what lies between the straight line and that by the point,
- * if they are long enough. */
-static void inner_side(struct pel_stroker *s, struct pel_point p,
-                       struct pel_point from, struct pel_point to,
-                       bool straight)
+void pel_border_beside(struct pel_stroker *s,
+                       const struct pel_stroke_line *line, int32_t side)
 {
-    s->border = (struct pel_point){p.x + from.x, p.y + from.y};
-    if (!straight)
-        border_to(s, p.x, p.y);
-    border_to(s, p.x + to.x, p.y + to.y);
+    pel_border_to(s, side * line->n.x, side * line->n.y);
 }
 
-void pel_stroke_join(struct pel_stroker *s, struct pel_point p,
-                     const struct pel_stroke_line *m,
-                     const struct pel_stroke_line *n)
+void pel_border_move(struct pel_stroker *s, const struct pel_stroke_line *line,
+                     int32_t side)
 {
-    if (p.y + s->reach < s->sides->top || p.y - s->reach > s->sides->bottom)
+    struct pel_sides *const sides = s->pen.sides;
+    if (!sides->in_piece)
+        sides->at = sides->start = (struct pel_point){
+            s->p.x + side * line->n.x, s->p.y + side * line->n.y};
+    else
+        pel_border_beside(s, line, side);
+    sides->in_piece = sides->kind->end;
+}
+
+/* The outer side, as a wedge from the point; or as a border that goes back on
+ * the inner side, straight where the lines are so long that both cover what
+ * lies between that and the point. */
+void pel_stroke_join(struct pel_stroker *s, const struct pel_stroke_line *n)
+{
+    const struct pel_stroke_line *const m = &s->last;
+    const bool pieces = s->pen.sides->kind->end;
+    s->p = s->at;
+    if (s->p.y < s->pen.top || s->p.y > s->pen.bottom)
         return;
     const bool right =
         pel_product(m->u.x, n->u.y) >= pel_product(m->u.y, n->u.x);
-    const struct pel_point from = right ? m->n : negative(n->n);
-    const struct pel_point to = right ? n->n : negative(m->n);
-    s->border = (struct pel_point){p.x + from.x, p.y + from.y};
+    const struct pel_stroke_line *const a = right ? m : n;
+    const struct pel_stroke_line *const b = right ? n : m;
+    const int32_t side = right ? 1 : -1;
+    pel_border_move(s, a, side);
     if (s->stroke->join == PEL_JOIN_ROUND)
-        arc(s, p, from, to);
+        arc(s, opposite(s, a->corner, !right), opposite(s, b->corner, !right));
     else if (s->stroke->join == PEL_JOIN_MITER)
-        miter(s, p, right ? 1 : -1, m, n);
-    border_to(s, p.x + to.x, p.y + to.y);
-    inner_side(s, p, negative(to), negative(from), m->is_long && n->is_long);
+        miter(s, side, m, n);
+    pel_border_beside(s, b, side);
+    if (!pieces)
+        pel_border_move(s, b, -side);
+    if (pieces || !m->is_long || !n->is_long)
+        pel_border_to(s, 0, 0);
+    if (!pieces)
+        pel_border_beside(s, a, -side);
+    pel_border_end(s);
 }
 
-/* From n around the end to the other side. */
-static void cap(struct pel_stroker *s, struct pel_point p, struct pel_point n)
+/* From one side of s->p around it to the other. */
+static void cap(struct pel_stroker *s, const struct pel_stroke_line *line,
+                int32_t side)
 {
-    s->border = (struct pel_point){p.x + n.x, p.y + n.y};
+    const struct pel_point n = {side * line->n.x, side * line->n.y};
+    const uint32_t corner = opposite(s, line->corner, side < 0);
+    pel_border_move(s, line, side);
     if (s->stroke->cap == PEL_CAP_ROUND) {
-        arc(s, p, n, negative(n));
+        arc(s, corner, opposite(s, corner, true));
     } else if (s->stroke->cap == PEL_CAP_SQUARE) {
-        border_to(s, p.x + n.x - n.y, p.y + n.y + n.x);
-        border_to(s, p.x - n.x - n.y, p.y - n.y + n.x);
+        pel_border_to(s, n.x - n.y, n.y + n.x);
+        pel_border_to(s, -n.x - n.y, n.x - n.y);
     }
-    border_to(s, p.x - n.x, p.y - n.y);
+    pel_border_beside(s, line, -side);
+    pel_border_end(s);
 }
 
-void pel_stroke_cap(struct pel_stroker *s, struct pel_point p,
-                    const struct pel_stroke_line *line, bool backwards)
+void pel_stroke_begin(struct pel_stroker *s)
 {
-    cap(s, p, backwards ? negative(line->n) : line->n);
+    s->p = s->start;
+    cap(s, &s->first, -1);
 }
 
-void pel_stroke_dot(struct pel_stroker *s, struct pel_point p,
-                    const struct pel_stroke_line *line)
+void pel_stroke_end(struct pel_stroker *s)
 {
+    s->p = s->at;
+    cap(s, &s->last, 1);
+}
+
+void pel_stroke_dot(struct pel_stroker *s)
+{
+    s->p = s->start;
     if (s->stroke->cap == PEL_CAP_BUTT)
         return;
-    cap(s, p, line->n);
-    cap(s, p, negative(line->n));
+    cap(s, &s->first, 1);
+    cap(s, &s->first, -1);
 }

@@ -18,86 +18,89 @@ static int32_t across(int32_t u, int32_t half)
     return u < 0 ? -(int32_t)n : (int32_t)n;
 }
 
-static int64_t square_of(struct pel_point v)
-{
-    return pel_square(v.x) + pel_square(v.y);
-}
-
 /* Of the line to p; a dot that is not of a dash lies to the right. */
-static void set_line(const struct pel_stroker *s, struct pel_stroke_line *line,
-                     struct pel_point p)
+static PEL_NOINLINE void set_line(struct pel_stroker *s, struct pel_point p)
 {
+    struct pel_stroke_line *const line = &s->line;
     const struct pel_point step = {p.x - s->at.x, p.y - s->at.y};
-    struct pel_point direction = square_of(s->direction) ? s->direction : step;
+    const bool dashed = s->direction.x || s->direction.y;
+    struct pel_point direction = dashed ? s->direction : step;
     int shift;
-    if (square_of(direction) == 0)
+    if (!direction.x && !direction.y)
         direction.x = 1;
-    const uint32_t inverse =
-        pel_inverse_root((uint64_t)square_of(direction), &shift);
+    const uint32_t inverse = pel_inverse_root(
+        (uint64_t)(pel_square(direction.x) + pel_square(direction.y)), &shift);
     line->u.x = part_of(direction.x, inverse, shift);
     line->u.y = part_of(direction.y, inverse, shift);
     line->n.x = across(line->u.y, s->half);
     line->n.y = -across(line->u.x, s->half);
-    line->is_long = square_of(step) >= pel_square(s->half);
+    line->is_long =
+        pel_magnitude(step.x) >= s->half || pel_magnitude(step.y) >= s->half;
+    if (s->stroke->cap == PEL_CAP_ROUND || s->stroke->join == PEL_JOIN_ROUND)
+        line->corner = pel_stroke_corner(
+            (struct pel_point){line->u.y >> 14, -(line->u.x >> 14)}, s->circle);
 }
 
-/* Its two sides: the one on the left goes along it, the other one back. */
-static void draw_sides(struct pel_stroker *s, struct pel_point a,
-                       struct pel_point b, struct pel_point n)
+/* The two sides of the line from s->at to p: the one on the left goes along it,
+ * the other one back. */
+static PEL_NOINLINE void draw_sides(struct pel_stroker *s, struct pel_point p)
 {
-    pel_stroke_side(s, (struct pel_point){a.x + n.x, a.y + n.y},
-                    (struct pel_point){b.x + n.x, b.y + n.y});
-    pel_stroke_side(s, (struct pel_point){b.x - n.x, b.y - n.y},
-                    (struct pel_point){a.x - n.x, a.y - n.y});
+    s->p = s->at;
+    pel_border_move(s, &s->line, 1);
+    s->p = p;
+    pel_border_beside(s, &s->line, 1);
+    pel_border_move(s, &s->line, -1);
+    s->p = s->at;
+    pel_border_beside(s, &s->line, -1);
+    pel_border_end(s);
 }
 
 static bool is_seen(const struct pel_stroker *s, struct pel_point a,
                     struct pel_point b)
 {
-    return pel_max(a.y, b.y) + s->reach >= s->sides->top &&
-           pel_min(a.y, b.y) - s->reach <= s->sides->bottom;
+    return pel_max(a.y, b.y) + s->reach >= s->pen.sides->top &&
+           pel_min(a.y, b.y) - s->reach <= s->pen.sides->bottom;
 }
 
 /* Lines that are next to each other are drawn, or not, alike near the point
  * between them: where it is near the rows both are. */
 static void line_to(struct pel_stroker *s, struct pel_point p)
 {
-    struct pel_stroke_line line = {.seen = s->half > 0 && is_seen(s, s->at, p)};
-    if (line.seen)
-        set_line(s, &line, p);
+    struct pel_stroke_line *const line = &s->line;
+    line->seen = s->half > 0 && is_seen(s, s->at, p);
+    if (line->seen)
+        set_line(s, p);
     if (!s->has_line)
-        s->first = line;
+        s->first = *line;
     s->has_point = true;
     if (p.x == s->at.x && p.y == s->at.y)
         return;
-    if (line.seen)
-        draw_sides(s, s->at, p, line.n);
-    if (s->has_line && s->last.seen && line.seen)
-        pel_stroke_join(s, s->at, &s->last, &line);
+    if (line->seen)
+        draw_sides(s, p);
+    if (s->has_line && s->last.seen && line->seen)
+        pel_stroke_join(s, line);
     s->has_line = true;
-    s->last = line;
+    s->last = *line;
     s->at = p;
 }
 
 static void end_open(struct pel_stroker *s)
 {
     if (s->has_line && s->first.seen)
-        pel_stroke_cap(s, s->start, &s->first, true);
+        pel_stroke_begin(s);
     if (s->has_line && s->last.seen)
-        pel_stroke_cap(s, s->at, &s->last, false);
+        pel_stroke_end(s);
     if (!s->has_line && s->has_point && s->first.seen)
-        pel_stroke_dot(s, s->start, &s->first);
-    s->has_line = s->has_point = false;
+        pel_stroke_dot(s);
 }
 
 static void end_closed(struct pel_stroker *s)
 {
     line_to(s, s->start);
     if (!s->has_line && s->first.seen)
-        pel_stroke_dot(s, s->start, &s->first);
+        pel_stroke_dot(s);
     if (s->has_line && s->last.seen && s->first.seen)
-        pel_stroke_join(s, s->start, &s->last, &s->first);
-    s->has_line = s->has_point = false;
+        pel_stroke_join(s, &s->first);
 }
 
 static enum pel_status draw(struct pel_pen *pen, enum pel_verb verb,
@@ -112,21 +115,23 @@ static enum pel_status draw(struct pel_pen *pen, enum pel_verb verb,
         end_closed(s);
     else
         end_open(s);
+    if (verb != PEL_LINE)
+        s->has_line = s->has_point = false;
     if (verb == PEL_MOVE && p)
         s->start = s->at = *p;
-    return s->room ? PEL_OK : PEL_ERROR_SCRATCH;
+    return pen->sides->full ? PEL_ERROR_SCRATCH : PEL_OK;
 }
 
 /* A circle of N corners whose sides are as far inside of it as the corners are
  * outside: together r (1 - cos(pi / N)), about 5 r / N^2, of which half is at
- * most 1 / 128 px. */
+ * most 1 / 96 px. */
 static void choose_circle(struct pel_stroker *s)
 {
     s->circle = 3;
-    while ((5 * s->half / 4) >> 2 * s->circle > 0)
+    while ((15 * s->half / 16) >> 2 * s->circle > 0)
         s->circle++;
-    const int32_t square = 1 << 2 * s->circle;
-    s->round = s->half + (5 * s->half + square) / (2 * square);
+    s->round =
+        s->half + ((5 * s->half + (1 << 2 * s->circle)) >> (2 * s->circle + 1));
 }
 
 enum pel_status pel_stroker_begin(struct pel_stroker *s,
@@ -134,19 +139,42 @@ enum pel_status pel_stroker_begin(struct pel_stroker *s,
                                   struct pel_sides *sides)
 {
     const int32_t limit = stroke->miter_limit ? stroke->miter_limit : 1024;
-    *s = (struct pel_stroker){.sides = sides, .stroke = stroke, .limit = limit};
     if (!pel_radius_legal(stroke->width) || limit < 256 || limit > 4096 ||
         (uint32_t)stroke->cap > PEL_CAP_ROUND ||
         (uint32_t)stroke->join > PEL_JOIN_ROUND)
         return PEL_ERROR_RANGE;
+    s->stroke = stroke;
+    s->limit = limit;
     s->half = stroke->width / 2;
     s->reach = s->half + s->half / 2;
     if (stroke->join == PEL_JOIN_MITER)
-        s->reach = pel_max(s->reach, (s->half / 256 + 1) * limit);
+        s->reach = pel_max(s->reach, ((s->half >> 8) + 1) * limit);
     s->reach += 2;
-    s->room = true;
-    s->pen =
-        (struct pel_pen){draw, sides->top - s->reach, sides->bottom + s->reach};
+    s->direction = (struct pel_point){0, 0};
+    s->has_line = s->has_point = false;
+    s->pen = (struct pel_pen){draw,
+                              sides->top - s->reach,
+                              sides->bottom + s->reach,
+                              PEL_COORDINATE_MAX - s->reach,
+                              sides,
+                              s + 1};
     choose_circle(s);
     return PEL_OK;
+}
+
+static enum pel_status walk_dashes(const struct pel_lines *lines,
+                                   struct pel_sides *sides)
+{
+    const struct pel_dash_kind *const kind = lines->stroke->dashes->kind;
+    return kind ? kind->walk(lines, sides) : PEL_ERROR_NULL;
+}
+
+enum pel_status pel_stroke_walk(const void *shape, struct pel_sides *sides)
+{
+    const struct pel_lines *const lines = shape;
+    struct pel_stroker *const s = sides->memory;
+    if (lines->stroke->dashes)
+        return walk_dashes(lines, sides);
+    const enum pel_status status = pel_stroker_begin(s, lines->stroke, sides);
+    return status == PEL_OK ? lines->walk(lines->shape, &s->pen) : status;
 }

@@ -18,15 +18,16 @@ static struct points points_of(const struct script_pen *pen, const int32_t *v)
                            wide ? v[0] : 0};
 }
 
-static struct pel_stroke stroke_of(const struct script_pen *pen, int32_t width)
+/* `dashes` lives as long as the stroke. */
+static struct pel_stroke stroke_of(const struct script_pen *pen, int32_t width,
+                                   struct pel_dashes *dashes)
 {
+    *dashes = (struct pel_dashes){&pel_dashed, pen->dash, 2, pen->dash[2]};
     return (struct pel_stroke){.width = width,
                                .cap = (enum pel_cap)pen->cap,
                                .join = (enum pel_join)pen->join,
-                               .dash = pen->dash,
-                               .dash_count =
-                                   pen->dash[0] + pen->dash[1] ? 2 : 0,
-                               .dash_phase = pen->dash[2]};
+                               .dashes =
+                                   pen->dash[0] + pen->dash[1] ? dashes : NULL};
 }
 
 /* What fails is told: most likely a row with more sides than there is room. */
@@ -38,8 +39,9 @@ static void finish(struct script_pen *pen, enum pel_status status)
 static void draw_polyline(struct script_pen *pen, const int32_t *v)
 {
     const struct points p = points_of(pen, v);
+    struct pel_dashes dashes;
     const struct pel_polyline_shape line = {
-        p.v, p.n, pen->item->command->closed, stroke_of(pen, p.width)};
+        p.v, p.n, pen->item->command->closed, stroke_of(pen, p.width, &dashes)};
     finish(pen, (pen->smooth ? pel_smooth_polyline : pel_polyline)(
                     pen->surface, &line, script_paint(pen), pen->scratch,
                     pen->scratch_size));
@@ -50,6 +52,7 @@ static void draw_path(struct script_pen *pen, const int32_t *v)
 {
     const struct points p = points_of(pen, v);
     uint8_t verbs[VERBS];
+    struct pel_dashes dashes;
     const int32_t curves = pel_min((p.n - 1) / 3, VERBS - 1);
     const struct pel_path path = {.verbs = verbs,
                                   .points32 = &p.v->x,
@@ -57,7 +60,8 @@ static void draw_path(struct script_pen *pen, const int32_t *v)
                                   .point_count = 1 + 3 * curves};
     const struct pel_path_shape shape = {.path = &path,
                                          .rule = pen->item->command->rule,
-                                         .stroke = stroke_of(pen, p.width)};
+                                         .stroke =
+                                             stroke_of(pen, p.width, &dashes)};
     verbs[0] = PEL_MOVE;
     for (int32_t i = 1; i <= curves; i++)
         verbs[i] = PEL_CUBIC;

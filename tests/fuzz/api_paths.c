@@ -8,13 +8,14 @@ struct any_path {
     int16_t points16[2 * POINTS];
     struct pel_point points[POINTS];
     int32_t dash[DASHES];
+    struct pel_dashes dashes;
     struct pel_path path;
     struct pel_transform transform;
     struct pel_path_shape shape;
     struct pel_polyline_shape line;
 };
 
-static struct pel_stroke any_stroke(struct api *a, int32_t *dash)
+static struct pel_stroke any_stroke(struct api *a, struct any_path *p)
 {
     struct pel_stroke stroke;
     stroke.width = input_number(&a->in);
@@ -22,10 +23,11 @@ static struct pel_stroke any_stroke(struct api *a, int32_t *dash)
     stroke.join = (enum pel_join)input_below(&a->in, 4);
     stroke.miter_limit = input_number(&a->in);
     for (int i = 0; i < DASHES; i++)
-        dash[i] = input_number(&a->in);
-    stroke.dash = dash;
-    stroke.dash_count = (int32_t)input_below(&a->in, DASHES + 2) - 1;
-    stroke.dash_phase = input_number(&a->in);
+        p->dash[i] = input_number(&a->in);
+    p->dashes = (struct pel_dashes){
+        &pel_dashed, p->dash, (int32_t)input_below(&a->in, DASHES + 3) - 2, 0};
+    p->dashes.phase = input_number(&a->in);
+    stroke.dashes = p->dashes.count < -1 ? NULL : &p->dashes;
     return stroke;
 }
 
@@ -60,7 +62,7 @@ static void take_path(struct api *a, struct any_path *p)
         .path = &p->path,
         .transform = how & 2 ? &p->transform : NULL,
         .rule = how & 4 ? PEL_EVEN_ODD : PEL_NON_ZERO,
-        .stroke = any_stroke(a, p->dash),
+        .stroke = any_stroke(a, p),
         .tolerance = how & 8 ? input_number(&a->in) : 0};
     p->line = (struct pel_polyline_shape){p->points, p->path.point_count,
                                           how & 16, p->shape.stroke};

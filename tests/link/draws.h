@@ -82,6 +82,41 @@ static inline void draw_smooth_polygon(const struct pel_paint *paint)
     pel_smooth_polygon(&screen, &polygon, paint, scratch, sizeof scratch);
 }
 
+/* A curve and lines, twice the size, and the way along it. */
+static const uint8_t leaf_verbs[4] = {PEL_MOVE, PEL_CUBIC, PEL_LINE, PEL_CLOSE};
+static const int16_t leaf_points[10] = {1, 2, 0, 25, 30, 25, 28, 0, 15, -4};
+static const struct pel_path leaf = {leaf_verbs, leaf_points, NULL, 4, 5};
+static const struct pel_transform twice = {PEL_SCALE(2), 0, 0, PEL_SCALE(2),
+                                           PEL_AT(2, 5)};
+static const int32_t dash_lengths[2] = {PEL_PX(5), PEL_PX(3)};
+static const struct pel_dashes dashes = {&pel_dashed, dash_lengths, 2, 99};
+#define LEAF(...)                                                     \
+    {                                                                 \
+        .path = &leaf, .transform = &twice, .stroke = { __VA_ARGS__ } \
+    }
+#define ROUND .width = PEL_PX(3), .cap = PEL_CAP_ROUND, .join = PEL_JOIN_ROUND
+static const struct pel_path_shape stroked = LEAF(ROUND),
+                                   dashed = LEAF(ROUND, .dashes = &dashes);
+static const struct pel_polyline_shape zigzag = {star, 5, false, {ROUND}};
+
+static uint64_t stroke_memory[256];
+
+/* draw_NAME, which calls pel_FUNCTION with a shape and memory. */
+#define STROKE(name, function, shape)                             \
+    static inline void draw_##name(const struct pel_paint *paint) \
+    {                                                             \
+        pel_##function(&screen, shape, paint, stroke_memory,      \
+                       sizeof stroke_memory);                     \
+    }
+STROKE(path, path_fill, &stroked)
+STROKE(path_stroke, path_stroke, &stroked)
+STROKE(path_dashes, path_stroke, &dashed)
+STROKE(polyline, polyline, &zigzag)
+STROKE(smooth_path, smooth_path_fill, &stroked)
+STROKE(smooth_path_stroke, smooth_path_stroke, &stroked)
+STROKE(smooth_path_dashes, smooth_path_stroke, &dashed)
+STROKE(smooth_polyline, smooth_polyline, &zigzag)
+
 static inline void draw_polygon_outline(const struct pel_paint *paint)
 {
     static uint32_t scratch[128];
@@ -150,7 +185,7 @@ static inline void draw_smooth_outline_text(const struct pel_paint *paint)
     pel_smooth_outline_text(&screen, &text, paint, scratch, sizeof scratch);
 }
 
-/* All of them but smooth ones, each as EACH(name). */
+/* All of them but smooth ones and paths, each as EACH(name). */
 #define EVERY_DRAW(EACH)                                                      \
     EACH(triangle), EACH(triangle_or_line), EACH(polygon), EACH(rectangle),   \
         EACH(line), EACH(thick_line), EACH(circle), EACH(ring), EACH(sector), \
@@ -166,5 +201,10 @@ static inline void draw_smooth_outline_text(const struct pel_paint *paint)
         EACH(smooth_circle), EACH(smooth_ring), EACH(smooth_sector),     \
         EACH(smooth_arc), EACH(smooth_arc_round), EACH(smooth_ellipse),  \
         EACH(smooth_rounded_rectangle)
+
+/* Smooth ones, too; the two programs of every shape are without them. */
+#define EVERY_PATH(EACH)                                              \
+    EACH(path), EACH(path_stroke), EACH(polyline), EACH(smooth_path), \
+        EACH(smooth_path_stroke), EACH(smooth_polyline)
 
 #endif

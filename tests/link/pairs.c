@@ -17,7 +17,8 @@
 static const struct {
     const char *name;
     draw_function *draw;
-} shapes[] = {EVERY_DRAW(NAMED_DRAW), EVERY_SMOOTH(NAMED_DRAW)};
+} shapes[] = {EVERY_DRAW(NAMED_DRAW), EVERY_SMOOTH(NAMED_DRAW),
+              EVERY_PATH(NAMED_DRAW)};
 
 static const struct {
     const char *name;

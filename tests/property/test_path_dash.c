@@ -32,15 +32,15 @@ TEST(dashes_are_lines)
                                  random_between(r, 256, 1500)};
         const struct pel_point v[2] = {{random_between(r, -9, 200), 3000},
                                        {random_between(r, 5000, 7000), 3000}};
+        const struct pel_dashes dashes = {&pel_dashed, dash, 2,
+                                          random_between(r, 0, 3) * 3333};
         struct pel_polyline_shape line = {
             v,
             2,
             false,
             {.width = random_between(r, 2, 999),
              .cap = (enum pel_cap)(random_word(r) % 3),
-             .dash = dash,
-             .dash_count = 2,
-             .dash_phase = random_between(r, 0, 3) * 3333}};
+             .dashes = &dashes}};
         const uint32_t smooth = random_word(r) % 2;
         canvas_open(&whole, &pel_rgb888, &bounds, 0);
         canvas_open(&other, &pel_rgb888, &bounds, 0);
@@ -49,8 +49,7 @@ TEST(dashes_are_lines)
         struct pel_path path;
         uint8_t verbs[128];
         struct pel_point ends[128];
-        int32_t n = 0,
-                x = v[0].x - line.stroke.dash_phase % (dash[0] + dash[1]);
+        int32_t n = 0, x = v[0].x - dashes.phase % (dash[0] + dash[1]);
         for (; x < v[1].x + dots; x += dash[0] + dash[1]) {
             const int32_t from = pel_max(x, v[0].x);
             const int32_t to = pel_min(x + dash[0], v[1].x);
@@ -66,7 +65,7 @@ TEST(dashes_are_lines)
                                  .verb_count = n,
                                  .point_count = n};
         struct pel_path_shape shape = {.path = &path, .stroke = line.stroke};
-        shape.stroke.dash_count = 0;
+        shape.stroke.dashes = NULL;
         assert_int_equal(
             (smooth ? pel_smooth_path_stroke : pel_path_stroke)(
                 &other.surface, &shape, &ink.paint, scratch, sizeof scratch),
@@ -81,19 +80,19 @@ static void check_dots(const int32_t *dash, int32_t count, const int32_t *x,
     const struct pel_rect bounds = {0, 0, SIZE, SIZE};
     for (uint32_t i = 0; i < 4; i++) {
         const struct pel_point v[2] = {{1000, 3000}, {5000, 3000}};
+        const struct pel_dashes dashes = {&pel_dashed, dash, count, 0};
         struct pel_polyline_shape line = {
             v,
             2,
             false,
             {.width = 300,
              .cap = i / 2 ? PEL_CAP_ROUND : PEL_CAP_SQUARE,
-             .dash = dash,
-             .dash_count = count}};
+             .dashes = &dashes}};
         canvas_open(&whole, &pel_rgb888, &bounds, 0);
         canvas_open(&other, &pel_rgb888, &bounds, 0);
         assert_int_equal(draw(&whole.surface, i % 2, &line, sizeof scratch),
                          PEL_OK);
-        line.stroke.dash_count = 0;
+        line.stroke.dashes = NULL;
         line.n = 1;
         for (int32_t k = 0; k < n; k++) {
             const struct pel_point dot = {x[k], 3000};
@@ -122,18 +121,19 @@ TEST(dashed_parts_without_length_are_dots)
     for (uint32_t i = 0; i < 72; i++) {
         const struct pel_point v[3] = {
             {3000, 3000}, {3000, 3000}, {3000, 3000}};
+        const struct pel_dashes dashes = {&pel_dashed, dash, 2,
+                                          i / 18 % 2 ? 600 : 100};
         struct pel_polyline_shape line = {
             v,
             (int32_t)(i / 2 % 3) + 1,
             i / 36,
-            {.width = 700, .cap = (enum pel_cap)(i / 6 % 3), .dash = dash}};
+            {.width = 700, .cap = (enum pel_cap)(i / 6 % 3)}};
         canvas_open(&whole, &pel_rgb888, &bounds, 0);
         canvas_open(&other, &pel_rgb888, &bounds, 0);
-        line.stroke.dash_phase = i / 18 % 2 ? 600 : 100;
-        if (line.stroke.dash_phase == 100)
+        if (dashes.phase == 100)
             assert_int_equal(draw(&other.surface, i % 2, &line, sizeof scratch),
                              PEL_OK);
-        line.stroke.dash_count = 2;
+        line.stroke.dashes = &dashes;
         assert_int_equal(draw(&whole.surface, i % 2, &line, sizeof scratch),
                          PEL_OK);
         canvas_check_same(&whole, &other);
@@ -212,7 +212,7 @@ static void take_dash(const struct pel_polyline_shape *line, double u[2][2],
 static void measure_dashes(const struct pel_polyline_shape *line)
 {
     const struct pel_stroke *const s = &line->stroke;
-    double u[2][2], length[2] = {0, 0}, from = -s->dash_phase;
+    double u[2][2], length[2] = {0, 0}, from = -s->dashes->phase;
     for (int i = 0; i + 1 < line->n; i++) {
         const double dx = line->v[i + 1].x - line->v[i].x;
         const double dy = line->v[i + 1].y - line->v[i].y;
@@ -223,9 +223,10 @@ static void measure_dashes(const struct pel_polyline_shape *line)
     for (int y = 0; y < SIZE; y++)
         for (int x = 0; x < SIZE; x++)
             sure[y][x] = most[y][x] = -1e9;
-    for (; from < length[0] + length[1]; from += s->dash[0] + s->dash[1])
-        if (from + s->dash[0] > 0)
-            take_dash(line, u, length, from, from + s->dash[0]);
+    for (; from < length[0] + length[1];
+         from += s->dashes->length[0] + s->dashes->length[1])
+        if (from + s->dashes->length[0] > 0)
+            take_dash(line, u, length, from, from + s->dashes->length[0]);
 }
 
 /* Short ones, too, and those that begin or end beside a turn. Square caps on
@@ -245,18 +246,18 @@ TEST(dashes_have_the_direction_of_their_line)
         const int32_t dash[2] = {
             random_between(r, 3, 1 << random_between(r, 3, 11)),
             random_between(r, 256, 3000)};
-        struct pel_polyline_shape line = {v,
-                                          n,
-                                          false,
-                                          {.width = random_between(r, 2, 5000),
-                                           .cap = n == 2 && random_word(r) % 2
-                                                      ? PEL_CAP_SQUARE
-                                                      : PEL_CAP_BUTT,
-                                           .dash = dash,
-                                           .dash_count = 2}};
+        struct pel_dashes dashes = {&pel_dashed, dash, 2, 0};
+        const struct pel_polyline_shape line = {
+            v,
+            n,
+            false,
+            {.width = random_between(r, 2, 5000),
+             .cap =
+                 n == 2 && random_word(r) % 2 ? PEL_CAP_SQUARE : PEL_CAP_BUTT,
+             .dashes = &dashes}};
         const double way = hypot(v[1].x - v[0].x, v[1].y - v[0].y);
         const int32_t period = dash[0] + dash[1];
-        line.stroke.dash_phase = /* an end is near that of the first line */
+        dashes.phase = /* an end is near that of the first line */
             5 * period - (int32_t)way % period + random_between(r, -9, 9) +
             (int32_t)(random_word(r) % 2) * dash[0];
         shape_keep(v, n);
@@ -273,7 +274,7 @@ TEST(dashes_have_the_direction_of_their_line)
                     fail_msg("(%d, %d): %d, %.1f to %.1f deep, dashes %d, %d "
                              "from %d: %s",
                              x, y, hit, sure[y][x], most[y][x], dash[0],
-                             dash[1], line.stroke.dash_phase, cases_replay());
+                             dash[1], dashes.phase, cases_replay());
             }
     }
 }

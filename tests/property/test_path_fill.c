@@ -30,9 +30,20 @@ static enum pel_status keep(struct pel_pen *pen, enum pel_verb verb,
     return PEL_OK;
 }
 
+static struct pel_pen pen_of(enum pel_status (*draw)(struct pel_pen *pen,
+                                                     enum pel_verb verb,
+                                                     const struct pel_point *p))
+{
+    static struct pel_path_state state;
+    return (struct pel_pen){.draw = draw,
+                            .top = PEL_COORDINATE_MIN,
+                            .bottom = PEL_COORDINATE_MAX,
+                            .memory = &state};
+}
+
 static enum pel_status flatten(const struct pel_path_shape *shape)
 {
-    keeper.pen = (struct pel_pen){keep, PEL_COORDINATE_MIN, PEL_COORDINATE_MAX};
+    keeper.pen = pen_of(keep);
     keeper.n = keeper.moves = 0;
     return pel_path_walk(shape, &keeper.pen);
 }
@@ -157,8 +168,7 @@ static enum pel_status keep_closed(struct pel_pen *pen, enum pel_verb verb,
 
 static struct pel_polygon_shape polygon_of(const struct pel_path_shape *shape)
 {
-    keeper.pen =
-        (struct pel_pen){keep_closed, PEL_COORDINATE_MIN, PEL_COORDINATE_MAX};
+    keeper.pen = pen_of(keep_closed);
     keeper.n = 0;
     assert_int_equal(pel_path_walk(shape, &keeper.pen), PEL_OK);
     return (struct pel_polygon_shape){keeper.v, keeper.n, shape->rule};
@@ -188,8 +198,7 @@ TEST(points_are_transformed)
         const struct pel_path path = {
             .verbs = verbs, .verb_count = 3, .points16 = v, .point_count = 3};
         const struct pel_path_shape shape = {.path = &path, .transform = &t};
-        keeper.pen =
-            (struct pel_pen){keep, PEL_COORDINATE_MIN, PEL_COORDINATE_MAX};
+        keeper.pen = pen_of(keep);
         keeper.n = 0;
         assert_int_equal(pel_path_walk(&shape, &keeper.pen), PEL_OK);
         for (int i = 0; i < 3; i++) {

@@ -1,4 +1,5 @@
 /* Strokes against the area of their outline. */
+#include <math.h>
 #include <string.h>
 
 #include "tests/support/canvas.h"
@@ -107,6 +108,28 @@ TEST(strokes_cover_pixels_once)
     }
 }
 
+/* A disc that a pixel's centre is surely in, or not: by how far its border may
+ * be from the circle, and what rounding to 1/256 px adds. */
+TEST(dots_are_discs)
+{
+    for (struct cases c = cases_of(200000); cases_next(&c);) {
+        struct random *const r = &c.random;
+        const int32_t half =
+            random_between(r, 2, 1 << random_between(r, 4, 21));
+        const double off = 256 / 96. + half / 8192. + 2;
+        const double turn = random_between(r, 0, 1 << 24) * 3.7450703e-7;
+        const double far = half + (random_word(r) % 2 ? off : -off);
+        const struct pel_point v = {(int32_t)lround(128 + far * cos(turn)),
+                                    (int32_t)lround(128 + far * sin(turn))};
+        const struct pel_polyline_shape dot = {
+            .v = &v,
+            .n = 1,
+            .stroke = {.width = 2 * half, .cap = PEL_CAP_ROUND}};
+        if (far > 0 && pel_hit_polyline(&dot, 0, 0) != (far < half))
+            fail_msg("radius %d, (%d, %d): %s", half, v.x, v.y, cases_replay());
+    }
+}
+
 /* A polyline as a path of lines, now and then of curves. */
 struct line_path {
     uint8_t verbs[POINTS + 2];
@@ -178,11 +201,11 @@ TEST(tiles_and_memory_change_nothing)
         struct pel_polyline_shape line = random_line(r, v);
         const int32_t dash[3] = {random_between(r, 0, 900), 300,
                                  random_between(r, 0, 900)};
-        line.stroke.dash = dash;
-        line.stroke.dash_count = random_between(r, 0, 3);
-        line.stroke.dash_phase = random_between(r, 0, 3000);
-        if (line.stroke.dash_count == 1 && dash[0] < 128)
-            line.stroke.dash_count = 0;
+        const int32_t count = random_between(r, 0, 3);
+        const struct pel_dashes dashes = {&pel_dashed, dash, count,
+                                          random_between(r, 0, 3000)};
+        if (count > 1 || (count == 1 && dash[0] >= 128))
+            line.stroke.dashes = &dashes;
         const uint32_t kind = random_word(r) % 6;
         const struct layout *const l = &layouts[random_word(r) % LAYOUT_COUNT];
         canvas_open(&whole, l->format, &bounds, 0);

@@ -1,0 +1,120 @@
+#include "smooth_path.h"
+
+#include "../smooth/smooth_sweep.h"
+#include "stroker.h"
+
+struct smooth {
+    struct pel_sides sides;
+    struct pel_smooth_sweep sweep;
+};
+
+/* Before the edges, which are aligned to 8. */
+enum { HEAD = 144 * sizeof(void *) };
+
+typedef char pel_smooth_path_fits[sizeof(struct smooth) + PEL_PENS_SIZE <= HEAD
+                                      ? 1
+                                      : -1];
+
+static void begin(struct pel_sides *sides)
+{
+    struct smooth *const s = (struct smooth *)(void *)sides;
+    s->sweep.count = s->sweep.active = 0;
+    s->sweep.y0 = sides->y0;
+    s->sweep.y1 = sides->y1;
+}
+
+static void add(struct pel_sides *sides, int32_t x, int32_t y)
+{
+    struct smooth *const s = (struct smooth *)(void *)sides;
+    const struct pel_point from = sides->at;
+    sides->at = (struct pel_point){x, y};
+    sides->full |= !pel_smooth_sweep_add(&s->sweep, &from, &sides->at);
+}
+
+static void paint_sides(struct pel_sides *sides)
+{
+    struct smooth *const s = (struct smooth *)(void *)sides;
+    pel_smooth_sweep_paint(&s->sweep);
+}
+
+static const struct pel_sides_kind smooth_kind = {
+    .begin = begin, .add = add, .paint = paint_sides};
+
+/* How many edges there is memory for beside a row; -1: not even for that. */
+static int32_t room_in(const struct pel_scratch *scratch, int32_t width)
+{
+    const size_t row = PEL_SMOOTH_PATH_SCRATCH_SIZE(0, width);
+    const size_t edge = PEL_SMOOTH_PATH_SCRATCH_SIZE(1, width) - row;
+    if (scratch->size < row || (uintptr_t)scratch->memory % 8)
+        return -1;
+    const size_t room = (scratch->size - row) / edge;
+    return room > 65536 ? 65536 : (int32_t)room;
+}
+
+enum pel_status pel_sides_smooth(const struct pel_surface *surface,
+                                 const struct pel_outline_source *source,
+                                 enum pel_fill_rule rule,
+                                 const struct pel_paint *p,
+                                 const struct pel_scratch *scratch)
+{
+    if (!surface || !p || !scratch->memory)
+        return PEL_ERROR_NULL;
+    const struct pel_rect *const clip = &surface->clip;
+    const int32_t room = room_in(scratch, pel_max(clip->x1 - clip->x0, 0));
+    struct smooth *const s = scratch->memory;
+    if (room < 0)
+        return PEL_ERROR_SCRATCH;
+    s->sides.kind = &smooth_kind;
+    s->sides.memory = s + 1;
+    s->sides.in_piece = false;
+    if (!pel_smooth_begin(&s->sweep.smooth, surface, p))
+        return PEL_OK;
+    pel_smooth_sweep_begin(&s->sweep, (char *)scratch->memory + HEAD, room,
+                           rule);
+    return pel_sides_draw(&s->sides, clip, source);
+}
+
+enum pel_status pel_smooth_path_fill(const struct pel_surface *surface,
+                                     const struct pel_path_shape *shape,
+                                     const struct pel_paint *paint,
+                                     void *scratch, size_t size)
+{
+    const struct pel_outline_source source = {pel_path_walk_fill, shape};
+    const struct pel_scratch memory = {scratch, size};
+    return shape
+               ? pel_sides_smooth(surface, &source, shape->rule, paint, &memory)
+               : PEL_ERROR_NULL;
+}
+
+static enum pel_status draw_stroke(const struct pel_surface *surface,
+                                   const struct pel_lines *lines,
+                                   const struct pel_paint *paint,
+                                   const struct pel_scratch *scratch)
+{
+    const struct pel_outline_source source = {pel_stroke_walk, lines};
+    return pel_sides_smooth(surface, &source, PEL_NON_ZERO, paint, scratch);
+}
+
+enum pel_status pel_smooth_path_stroke(const struct pel_surface *surface,
+                                       const struct pel_path_shape *shape,
+                                       const struct pel_paint *paint,
+                                       void *scratch, size_t size)
+{
+    const struct pel_scratch memory = {scratch, size};
+    if (!shape)
+        return PEL_ERROR_NULL;
+    const struct pel_lines lines = {pel_path_walk, shape, &shape->stroke};
+    return draw_stroke(surface, &lines, paint, &memory);
+}
+
+enum pel_status pel_smooth_polyline(const struct pel_surface *surface,
+                                    const struct pel_polyline_shape *line,
+                                    const struct pel_paint *paint,
+                                    void *scratch, size_t size)
+{
+    const struct pel_scratch memory = {scratch, size};
+    if (!line)
+        return PEL_ERROR_NULL;
+    const struct pel_lines lines = {pel_polyline_walk, line, &line->stroke};
+    return draw_stroke(surface, &lines, paint, &memory);
+}

@@ -1,0 +1,199 @@
+/* The pixels of a stroke: one bit for each, set by piece after piece. Pieces
+ * are convex, so a piece has one border on the left and one on the right of a
+ * row, and what is inside of several is set once. */
+#include "../base/divide.h"
+#include "../raster/collect.h"
+#include "../raster/edge.h"
+#include "stroker.h"
+
+struct bits {
+    struct pel_sides sides;
+    int32_t x0, x1;          /* columns */
+    struct pel_span *border; /* of the piece, a row each */
+    uint32_t *bits;
+    int32_t words;      /* of a row */
+    int32_t first, end; /* rows of the piece */
+    struct pel_point from;
+    struct pel_edge edge;
+};
+
+typedef char pel_bits_fit[sizeof(struct bits) <= PEL_TAKER_SIZE ? 1 : -1];
+
+/* Those of no piece: empty. */
+static const struct pel_span nothing = {INT32_MAX, INT32_MIN};
+
+/* Sides that go down are on the right. */
+static void take_side(struct bits *b, const struct pel_point *from,
+                      const struct pel_point *to)
+{
+    const bool down = from->y < to->y;
+    const struct pel_point *const top = down ? from : to;
+    const struct pel_point *const bottom = down ? to : from;
+    const int32_t first = pel_max(pel_first_pixel(top->y), b->sides.y0);
+    const int32_t end = pel_min(pel_first_pixel(bottom->y), b->sides.y1);
+    struct pel_span *border = b->border + (first - b->sides.y0);
+    struct pel_edge *const edge = &b->edge;
+    if (first >= end)
+        return;
+    b->first = pel_min(b->first, first);
+    b->end = pel_max(b->end, end);
+    pel_edge_start(edge, top, bottom, first);
+    for (int32_t n = end - first; n > 0; n--, border++) {
+        if (down)
+            border->x1 = pel_max(border->x1, edge->x);
+        else
+            border->x0 = pel_min(border->x0, edge->x);
+        pel_edge_next(edge);
+    }
+}
+
+static void add(struct pel_sides *sides, int32_t x, int32_t y)
+{
+    struct bits *const b = (struct bits *)(void *)sides;
+    b->from = sides->at;
+    sides->at = (struct pel_point){x, y};
+    if (pel_first_pixel(b->from.y) != pel_first_pixel(y))
+        take_side(b, &b->from, &sides->at);
+}
+
+/* Those from x0 to x1 - 1, of which there is one at least. */
+static void set_bits(uint32_t *row, int32_t x0, int32_t x1)
+{
+    const uint32_t last = UINT32_MAX >> (31 - ((x1 - 1) & 31));
+    uint32_t mask = UINT32_MAX << (x0 & 31);
+    uint32_t *const end = row + ((uint32_t)(x1 - 1) >> 5);
+    for (row += (uint32_t)x0 >> 5; row < end; row++) {
+        *row |= mask;
+        mask = UINT32_MAX;
+    }
+    *row |= mask & last;
+}
+
+/* What the piece covers of a row, whose borders are forgotten. */
+static void set_row(struct bits *b, int32_t row)
+{
+    const int32_t x0 = pel_max(b->border[row].x0, b->x0) - b->x0;
+    const int32_t x1 = pel_min(b->border[row].x1, b->x1) - b->x0;
+    if (x0 < x1)
+        set_bits(b->bits + row * b->words, x0, x1);
+    b->border[row] = nothing;
+}
+
+static void end_piece(struct pel_sides *sides)
+{
+    struct bits *const b = (struct bits *)(void *)sides;
+    add(sides, sides->start.x, sides->start.y);
+    sides->in_piece = false;
+    for (int32_t y = b->first; y < b->end; y++)
+        set_row(b, y - sides->y0);
+    b->first = INT32_MAX;
+    b->end = INT32_MIN;
+}
+
+static const struct pel_sides_kind bits_kind = {.add = add, .end = end_piece};
+
+/* Of `most` rows from y on that are inside the clip. */
+static PEL_NOINLINE struct bits *begin(void *memory,
+                                       const struct pel_rect *clip, int32_t y,
+                                       int32_t most)
+{
+    struct bits *const b = memory;
+    const int32_t n = pel_min(most, clip->y1 - y);
+    b->sides.kind = &bits_kind;
+    b->sides.memory = (char *)b + PEL_TAKER_SIZE;
+    b->sides.in_piece = false;
+    pel_sides_set_rows(&b->sides, y, y + n);
+    b->x0 = clip->x0;
+    b->x1 = clip->x1;
+    b->words = (b->x1 - b->x0 + 31) >> 5;
+    b->border =
+        (struct pel_span *)(void *)((char *)b + PEL_STROKE_SCRATCH_SIZE(0, 0));
+    b->bits = (uint32_t *)(void *)(b->border + n);
+    b->first = INT32_MAX;
+    b->end = INT32_MIN;
+    for (int32_t i = 0; i < n; i++)
+        b->border[i] = nothing;
+    for (int32_t i = 0; i < n * b->words; i++)
+        b->bits[i] = 0;
+    return b;
+}
+
+/* The first place from `from` on, up to `end`, whose bit is not `set`. */
+static int32_t next_change(const uint32_t *row, int32_t from, int32_t end,
+                           uint32_t set)
+{
+    while (from < end) {
+        uint32_t word = (row[(uint32_t)from >> 5] ^ set) >> (from & 31);
+        if (word == 0) {
+            from = (from | 31) + 1;
+            continue;
+        }
+        for (; !(word & 255); word >>= 8)
+            from += 8;
+        for (; !(word & 1); word >>= 1)
+            from++;
+        return from;
+    }
+    return end;
+}
+
+static PEL_NOINLINE void paint_rows(const struct bits *b,
+                                    const struct pel_surface *surface,
+                                    const struct pel_paint *paint)
+{
+    const int32_t left = b->x0, width = b->x1 - left;
+    const uint32_t *row = b->bits;
+    struct pel_collector c;
+    pel_collect_begin(&c, surface, paint);
+    for (int32_t y = b->sides.y0; y < b->sides.y1; y++, row += b->words)
+        for (int32_t x = next_change(row, 0, width, 0); x < width;) {
+            const int32_t end = next_change(row, x, width, UINT32_MAX);
+            pel_collect(&c, y, x + left, end + left);
+            x = next_change(row, end, width, 0);
+        }
+    pel_collect_end(&c);
+}
+
+/* How many rows of the surface there is memory for, up to 2^16. */
+static PEL_NOINLINE int32_t rows_in(const struct pel_scratch *scratch,
+                                    const struct pel_rect *clip)
+{
+    const size_t head = PEL_STROKE_SCRATCH_SIZE(0, 0);
+    const uint32_t row =
+        (uint32_t)(PEL_STROKE_SCRATCH_SIZE(clip->x1 - clip->x0, 1) - head);
+    if ((uintptr_t)scratch->memory % 8 || scratch->size < head)
+        return 0;
+    const size_t size = scratch->size - head;
+    return (int32_t)pel_divide(size >> 30 ? 1 << 30 : size, row);
+}
+
+enum pel_status pel_stroke_fill(const struct pel_surface *surface,
+                                const struct pel_lines *lines,
+                                const struct pel_paint *paint,
+                                const struct pel_scratch *scratch)
+{
+    if (!surface || !paint || !scratch->memory)
+        return PEL_ERROR_NULL;
+    const struct pel_rect *const clip = &surface->clip;
+    const int32_t most = pel_rect_empty(clip) ? 1 : rows_in(scratch, clip);
+    if (most < 1)
+        return PEL_ERROR_SCRATCH;
+    for (int32_t y = clip->y0; y < clip->y1 && clip->x0 < clip->x1; y += most) {
+        struct bits *const b = begin(scratch->memory, clip, y, most);
+        const enum pel_status status = pel_stroke_walk(lines, &b->sides);
+        if (status != PEL_OK)
+            return status;
+        paint_rows(b, surface, paint);
+    }
+    return PEL_OK;
+}
+
+bool pel_stroke_hit(const struct pel_lines *lines, int32_t x, int32_t y)
+{
+    const struct pel_rect pixel = {x, y, x + 1, y + 1};
+    uint64_t memory[PEL_STROKE_SCRATCH_SIZE(1, 1) / 8 + 1];
+    if (!pel_pixel_legal(x, y))
+        return false;
+    struct bits *const b = begin(memory, &pixel, y, 1);
+    return pel_stroke_walk(lines, &b->sides) == PEL_OK && *b->bits;
+}
