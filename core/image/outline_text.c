@@ -252,6 +252,11 @@ static bool draw_glyph(struct visitor *visitor, struct placed *g)
     return d->status == PEL_OK;
 }
 
+static bool is_tolerance(int32_t tolerance)
+{
+    return tolerance == 0 || (tolerance >= 4 && tolerance <= 65535);
+}
+
 enum pel_status pel_outline_text_fill(const struct pel_surface *surface,
                                       const struct pel_outline_text_block *text,
                                       const struct pel_outline_fill *fill)
@@ -259,7 +264,7 @@ enum pel_status pel_outline_text_fill(const struct pel_surface *surface,
     struct drawing d = {.visitor = {draw_glyph}, .fill = fill};
     if (!surface || !text || !fill->paint || !fill->scratch.memory)
         return PEL_ERROR_NULL;
-    if (text->tolerance && (text->tolerance < 4 || text->tolerance > 65535))
+    if (!is_tolerance(text->tolerance))
         return PEL_ERROR_RANGE;
     d.surface = *surface;
     d.clip = surface->clip;
@@ -298,7 +303,8 @@ bool pel_hit_outline_text(const struct pel_outline_text_block *text, int32_t x,
                           int32_t y)
 {
     struct hit h = {.visitor = {hit_glyph}, .x = x, .y = y};
-    visit(text, &h.visitor);
+    if (is_tolerance(text->tolerance))
+        visit(text, &h.visitor);
     return h.inside;
 }
 
