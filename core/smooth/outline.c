@@ -20,6 +20,7 @@ bool pel_smooth_outline_begin(struct pel_smooth_outline *o,
         o->inside = box->x0 >= clip->x0 && box->x1 <= clip->x1;
         o->twins &= box->y0 >= clip->y0 && box->y1 <= clip->y1;
         o->image_y = box->y0 + box->y1 - 1;
+        o->alike = INT32_MIN;
     }
     return !pel_rect_empty(&o->seen) &&
            pel_smooth_begin(&o->smooth, surface, paint);

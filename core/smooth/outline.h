@@ -52,6 +52,7 @@ struct pel_smooth_outline {
     bool inside;     /* no column is clipped away */
     bool twins;      /* rows are painted with their images, .. */
     int32_t image_y; /* .. to which their y adds up */
+    int32_t alike;   /* up to this row no side begins or ends (whole_rows.c) */
 };
 
 /* After it has got `spread` to `others`, and `twins`. False: nothing in the box

@@ -1,6 +1,7 @@
 #include "strip.h"
 
 #include "../base/divide.h"
+#include "smooth.h"
 
 #include <stddef.h>
 
@@ -140,14 +141,19 @@ static PEL_NOINLINE uint32_t small_bulge(const struct pel_smooth_circle *c,
     return area + (area * (more * q >> 16) >> 16);
 }
 
+/* Of a piece that is so long along y if the strip is steep, else along x. */
+static inline uint32_t big_bulge(const struct pel_smooth_strip *s, uint32_t w)
+{
+    const uint32_t w1 = w >> 1, w2 = w1 * w1 >> 15, w3 = w2 * w1 >> 16;
+    return s->bulge * w3 >> 19;
+}
+
 static uint32_t bulge_of(const struct pel_smooth_strip *s,
                          const struct pel_smooth_arc_piece *p)
 {
     if (s->small)
         return small_bulge(s->circle, p);
-    const uint32_t w = (uint32_t)(s->steep ? p->v0 - p->v1 : p->u1 - p->u0);
-    const uint32_t w1 = w >> 1, w2 = w1 * w1 >> 15, w3 = w2 * w1 >> 16;
-    return s->bulge * w3 >> 19;
+    return big_bulge(s, (uint32_t)(s->steep ? p->v0 - p->v1 : p->u1 - p->u0));
 }
 
 /* What lies below a piece and above the strip's near end, 2^-15 px: the factors
@@ -199,3 +205,63 @@ uint32_t pel_smooth_column_area(const struct pel_smooth_strip *s, int32_t u,
     p->v1 = last ? s->near : height_at(s, u + 65536);
     return (whole * (uint32_t)(s->far - s->near) >> 16) + area_of(s, p);
 }
+
+#if !PEL_SMOOTH_TINY
+static inline void put_area(uint32_t area, uint32_t flip, uint8_t *to)
+{
+    *to = pel_smooth_coverage((area ^ flip) + (flip & 32769));
+}
+
+/* As bulge_of does. */
+static PEL_ALWAYS_INLINE uint32_t
+bulge_between(const struct pel_smooth_strip *s, int32_t u0, int32_t v0,
+              int32_t u1, int32_t v1)
+{
+    if (s->bulge > 0)
+        return big_bulge(s, (uint32_t)(s->steep ? v0 - v1 : u1 - u0));
+    if (!s->small)
+        return 0;
+    const struct pel_smooth_arc_piece p = {u0, v0, u1, v1};
+    return small_bulge(s->circle, &p);
+}
+
+/* Columns from u on, of which the side leaves the first one. */
+static void cover_columns(const struct pel_smooth_side *k, int32_t u,
+                          uint32_t flip, uint8_t *to)
+{
+    const struct pel_smooth_strip *const s = k->strip;
+    const int32_t step = k->left ? -1 : 1, near = s->near, last = s->at_near;
+    uint32_t whole = (uint32_t)(s->at_far - u) >> 1;
+    int32_t u0 = s->at_far, v0 = s->far;
+    for (int32_t n = k->bytes; n > 0; n--, to += step) {
+        u += 65536;
+        const int32_t u1 = pel_min(u, last);
+        const int32_t v1 = u < last ? height_at(s, u) : near;
+        const uint32_t w = (uint32_t)(u1 - u0);
+        const uint32_t h = (uint32_t)(v0 - near + v1 - near);
+        put_area(whole + ((w >> 1) * (h >> 1) >> 16) +
+                     bulge_between(s, u0, v0, u1, v1),
+                 flip, to);
+        u0 = u1;
+        v0 = v1;
+        whole = 0;
+    }
+}
+
+void pel_smooth_side_cover(const struct pel_smooth_side *k, uint8_t *to)
+{
+    const struct pel_smooth_strip *const s = k->strip;
+    const uint32_t flip = k->left == k->rising ? 0 : ~UINT32_C(0);
+    const int32_t x = k->left ? -k->columns.x1 : k->columns.x0;
+    const int32_t u = (x * 256 - k->center) * 256;
+    const int32_t far = s->at_far - u, near = s->at_near - u;
+    to += k->left ? k->bytes - 1 : 0;
+    if (near > 65536) {
+        cover_columns(k, u, flip, to);
+        return;
+    }
+    put_area(whole_area(s, (uint32_t)(far + near)), flip, to);
+    if (k->bytes > 1)
+        put_area(0, flip, to + (k->left ? -1 : 1));
+}
+#endif

@@ -114,4 +114,19 @@ static inline uint8_t pel_smooth_coverage(uint32_t sum)
 uint32_t pel_smooth_column_area(const struct pel_smooth_strip *strip, int32_t u,
                                 struct pel_smooth_arc_piece *piece);
 
+/* A side of a whole row, the columns that it crosses, and the bytes of their
+ * coverage: none out of sight. */
+struct pel_smooth_side {
+    const struct pel_smooth_strip *strip;
+    int32_t center;
+    struct pel_span columns;
+    int32_t bytes;
+    bool left, rising;                   /* as of a crossing (outline.h) */
+    const struct pel_smooth_side *image; /* whose bytes it has, or NULL */
+    const uint8_t *at;                   /* its bytes */
+};
+
+/* Writes the coverage of all columns of a side. */
+void pel_smooth_side_cover(const struct pel_smooth_side *side, uint8_t *to);
+
 #endif

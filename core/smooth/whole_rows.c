@@ -8,24 +8,32 @@
 
 enum { MOST = 4 };
 
-/* A side, its columns, and the bytes that it takes: none out of sight. */
-struct side {
-    struct pel_smooth_crossing crossing;
-    struct pel_span columns;
-    int32_t bytes;
-};
-
-/* The sides of a row, and their order from left to right. */
+/* The sides of a row from left to right, and what they are sides of: two of one
+ * circle have one strip. */
 struct sides {
     struct pel_smooth_visitor visitor; /* first */
     const struct pel_rect *seen;
-    int32_t n;
-    struct side side[MOST], *order[MOST];
+    int32_t n, crossings;
+    struct pel_smooth_crossing crossing[MOST];
+    struct pel_smooth_side side[MOST];
 };
 
 static bool is_whole(const struct pel_smooth_crossing *c)
 {
     return c->strip.far - c->strip.near == 65536;
+}
+
+/* The strip of a side. */
+static const struct pel_smooth_strip *strip_of(
+    struct sides *s, const struct pel_smooth_crossing *c)
+{
+    struct pel_smooth_crossing *to = &s->crossing[s->crossings];
+    if (s->crossings && c->other < 0 && to[-1].strip.circle == c->strip.circle)
+        return &to[-1].strip;
+    s->crossings++;
+    *to = *c;
+    pel_smooth_strip_set(&to->strip);
+    return &to->strip;
 }
 
 /* One that does not cross a whole row counts as too many. */
@@ -37,44 +45,41 @@ static void place(struct pel_smooth_visitor *sides,
         s->n = MOST + 1;
         return;
     }
-    struct side *const side = &s->side[s->n];
-    side->crossing = *c;
-    side->columns = pel_smooth_crossing_columns(c);
-    pel_smooth_strip_set(&side->crossing.strip);
+    const struct pel_smooth_side side = {.strip = strip_of(s, c),
+                                         .center = c->center,
+                                         .columns =
+                                             pel_smooth_crossing_columns(c),
+                                         .left = c->left,
+                                         .rising = c->rising};
     int32_t i = s->n++;
-    for (; i > 0 && s->order[i - 1]->columns.x0 > side->columns.x0; i--)
-        s->order[i] = s->order[i - 1];
-    s->order[i] = side;
+    for (; i > 0 && s->side[i - 1].columns.x0 > side.columns.x0; i--)
+        s->side[i] = s->side[i - 1];
+    s->side[i] = side;
 }
 
-static int32_t bytes_of(const struct pel_span *columns,
-                        const struct pel_rect *seen)
+/* Is side b the image of a, column by column? */
+static bool is_image(const struct pel_smooth_side *a,
+                     const struct pel_smooth_side *b)
 {
-    const bool is_seen = columns->x0 < seen->x1 && columns->x1 > seen->x0;
-    return is_seen ? columns->x1 - columns->x0 : 0;
-}
-
-/* Do sides begin and end the shape in turn, apart from each other? Counts their
- * bytes. */
-static bool are_apart(struct sides *s)
-{
-    int32_t end = INT32_MIN;
-    for (int32_t i = 0; i < s->n; i++) {
-        struct side *const k = s->order[i];
-        if (k->crossing.rising == (i & 1) || end > k->columns.x0)
-            return false;
-        end = k->columns.x1;
-        k->bytes = bytes_of(&k->columns, s->seen);
-    }
-    return true;
+    return a < b && a->strip == b->strip && a->left && !b->left &&
+           ((a->center ^ b->center) & 255) == 0;
 }
 
 /* False: the row is another one. */
 static bool find_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
 {
-    s->n = 0;
+    s->n = s->crossings = 0;
     pel_smooth_visit(o, y, &s->visitor);
-    return s->n > 0 && s->n % 2 == 0 && are_apart(s);
+    if (s->n == 0 || s->n > MOST || s->n % 2)
+        return false;
+    for (int32_t i = 0; i < s->n; i++) {
+        struct pel_smooth_side *const k = &s->side[i];
+        const struct pel_smooth_side *const other = &s->side[s->n - 1 - i];
+        if (k->rising == (i & 1))
+            return false;
+        k->image = is_image(other, k) ? other : NULL;
+    }
+    return true;
 }
 
 /* Moves the strip of a circle on by a row. Where the arc is at the near end of
@@ -101,27 +106,43 @@ static void move_down(struct pel_smooth_strip *s, bool below)
     pel_smooth_strip_set(s);
 }
 
-/* Goes on to row y, where no side begins or ends. Two sides of one circle have
- * one strip. False: the row is another one. */
+/* Goes on to row y, where no side begins or ends. False: the row is another
+ * one. */
 static bool move_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
 {
-    const struct pel_smooth_strip *before = NULL;
-    for (struct side *side = s->side; side < s->side + s->n; side++) {
-        struct pel_smooth_crossing *const c = &side->crossing;
-        struct pel_smooth_strip *const strip = &c->strip;
-        if (c->other >= 0) {
-            if (!o->other(o, y, c->other, c) || !is_whole(c))
-                return false;
-            pel_smooth_strip_set(strip);
-        } else if (before && before->circle == strip->circle) {
-            *strip = *before;
-        } else {
-            move_down(strip, c->below);
+    for (int32_t i = 0; i < s->crossings; i++) {
+        struct pel_smooth_crossing *const c = &s->crossing[i];
+        if (c->other < 0) {
+            move_down(&c->strip, c->below);
+            continue;
         }
-        before = strip;
-        side->columns = pel_smooth_crossing_columns(c);
+        if (!o->other(o, y, c->other, c) || !is_whole(c))
+            return false;
+        pel_smooth_strip_set(&c->strip);
+        for (int32_t k = 0; k < s->n; k++)
+            if (s->side[k].strip == &c->strip)
+                s->side[k].center = c->center;
     }
-    return are_apart(s);
+    return true;
+}
+
+/* Are the sides apart from each other? Finds their columns. */
+static bool are_apart(struct sides *s)
+{
+    const struct pel_rect *const seen = s->seen;
+    int32_t end = INT32_MIN;
+    for (struct pel_smooth_side *k = s->side; k < s->side + s->n; k++) {
+        struct pel_span c = pel_smooth_crossed(k->strip, k->center);
+        if (k->left)
+            c = (struct pel_span){-c.x1, -c.x0};
+        if (end > c.x0)
+            return false;
+        end = c.x1;
+        const bool is_seen = c.x0 < seen->x1 && c.x1 > seen->x0;
+        k->columns = c;
+        k->bytes = is_seen ? c.x1 - c.x0 : 0;
+    }
+    return true;
 }
 
 /* The row of a height, if that is before *end and not above row y. */
@@ -157,102 +178,84 @@ static int32_t find_end(const struct pel_smooth_outline *o, int32_t y)
     return end;
 }
 
-/* Writes the coverage of a side's pixels, of what is outside where flip is all
- * ones. */
-static void cover(const struct pel_smooth_crossing *c, struct pel_span columns,
-                  uint8_t *to)
-{
-    struct pel_smooth_arc_piece piece = {0, 0, INT32_MIN, 0};
-    const uint32_t flip = c->left == c->rising ? 0 : ~UINT32_C(0);
-    const int32_t step = c->left ? -1 : 1;
-    int32_t n = columns.x1 - columns.x0;
-    int32_t x = c->left ? -columns.x1 : columns.x0;
-    to += c->left ? n - 1 : 0;
-    for (; n > 0; n--, x++, to += step) {
-        const int32_t u = pel_smooth_boundary(c, x);
-        const uint32_t area = pel_smooth_column_area(&c->strip, u, &piece);
-        *to = pel_smooth_coverage((area ^ flip) + (flip & 32769));
-    }
-}
+/* What is between two sides, and where the bytes of the next row go. */
+struct pair {
+    struct pel_smooth_batch batch;
+    uint8_t *to;
+};
 
-/* Batches of what is between the first two sides, and between the others. */
+/* Of the first two sides, and of the others. */
 struct rows {
-    struct pel_smooth_batch batch[2];
-    uint8_t *to[MOST / 2]; /* where the bytes of the next row go */
+    struct pair pair[MOST / 2];
     int32_t sides;
 };
 
-/* Is side b the image of a, column by column? */
-static bool is_image(const struct pel_smooth_crossing *a,
-                     const struct pel_smooth_crossing *b)
+/* Where its bytes end. */
+static uint8_t *put_side(struct pel_smooth_side *k, uint8_t *to)
 {
-    return a->strip.circle && a->strip.circle == b->strip.circle && a->left &&
-           !b->left && ((a->center ^ b->center) & 255) == 0;
-}
-
-/* Side i from the left, whose image may have been put at `from`. */
-static void put_side(const struct sides *s, int32_t i, uint8_t *to,
-                     const uint8_t *from)
-{
-    const struct side *const k = s->order[i];
-    const struct side *const image = s->order[s->n - 1 - i];
-    if (2 * i < s->n || image->bytes == 0 ||
-        !is_image(&image->crossing, &k->crossing)) {
-        cover(&k->crossing, k->columns, to);
-        return;
+    int32_t n = k->bytes;
+    k->at = to;
+    if (n == 0)
+        return to;
+    if (!k->image || k->image->bytes == 0) {
+        pel_smooth_side_cover(k, to);
+        return to + n;
     }
-    from += k->bytes;
-    for (int32_t n = k->bytes; n > 0; n--)
+    for (const uint8_t *from = k->image->at + n; n > 0; n--)
         *to++ = *--from;
+    return to;
 }
 
-static void put_sides(struct rows *r, const struct sides *s)
+static void put_pair(struct pair *p, struct pel_smooth_side *k)
 {
-    uint8_t *from[MOST] = {NULL, NULL, NULL, NULL};
-    for (int32_t i = 0; i < s->n; i++) {
-        struct pel_smooth_batch *const b = &r->batch[i / 2];
-        const struct side *const k = s->order[i];
-        const int32_t at = 2 * b->n + i % 2;
-        from[i] = r->to[i / 2];
-        r->to[i / 2] += k->bytes;
-        b->count[at] = (uint8_t)k->bytes;
-        b->at.x[at] = i % 2 ? k->columns.x0 : k->columns.x1;
-        if (k->bytes > 0)
-            put_side(s, i, from[i], from[s->n - 1 - i]);
-    }
-    r->batch[0].n++;
-    r->batch[1].n++;
+    struct pel_smooth_batch *const b = &p->batch;
+    const int32_t at = 2 * b->n++;
+    b->count[at] = (uint8_t)k[0].bytes;
+    b->count[at + 1] = (uint8_t)k[1].bytes;
+    b->at.x[at] = k[0].columns.x1;
+    b->at.x[at + 1] = k[1].columns.x0;
+    p->to = put_side(&k[1], put_side(&k[0], p->to));
+}
+
+static bool has_room(const struct pair *p, const struct pel_smooth_side *k)
+{
+    return p->to + k[0].bytes + k[1].bytes <=
+           p->batch.coverage + PEL_SMOOTH_BATCH_BYTES;
 }
 
 /* Adds a row, if there is room. */
-static bool add_row(struct rows *r, const struct sides *s)
+static bool add_row(struct rows *r, struct sides *s)
 {
-    for (int32_t i = 0; i < s->n; i += 2)
-        if (r->to[i / 2] + s->order[i]->bytes + s->order[i + 1]->bytes >
-            r->batch[i / 2].coverage + PEL_SMOOTH_BATCH_BYTES)
-            return false;
+    const bool two = s->n > 2;
+    if (!has_room(&r->pair[0], &s->side[0]) ||
+        (two && !has_room(&r->pair[1], &s->side[2])))
+        return false;
     r->sides = s->n;
-    put_sides(r, s);
+    put_pair(&r->pair[0], &s->side[0]);
+    if (two)
+        put_pair(&r->pair[1], &s->side[2]);
     return true;
 }
 
 static PEL_NOINLINE_32 void find_rows(struct pel_smooth_outline *o, int32_t y,
                                       int32_t end, struct rows *r)
 {
-    const int32_t alike = find_end(o, y);
+    if (y > o->alike)
+        o->alike = find_end(o, y);
     struct sides s;
     s.visitor.visit = place;
     s.seen = &o->seen;
     for (int i = 0; i < 2; i++) {
-        r->batch[i].y = y;
-        r->batch[i].n = 0;
-        r->to[i] = r->batch[i].coverage;
+        r->pair[i].batch.y = y;
+        r->pair[i].batch.n = 0;
+        r->pair[i].to = r->pair[i].batch.coverage;
     }
     r->sides = 0;
-    while (
-        y < end && r->batch[0].n < PEL_SMOOTH_BATCH_ROWS &&
-        (r->sides && y < alike ? move_sides(o, y, &s) : find_sides(o, y, &s)) &&
-        (r->sides == 0 || s.n == r->sides) && add_row(r, &s))
+    while (y < end && r->pair[0].batch.n < PEL_SMOOTH_BATCH_ROWS &&
+           (r->sides && y < o->alike ? move_sides(o, y, &s)
+                                     : find_sides(o, y, &s)) &&
+           (r->sides == 0 || s.n == r->sides) && are_apart(&s) &&
+           add_row(r, &s))
         y++;
 }
 
@@ -273,9 +276,9 @@ int32_t pel_smooth_whole_rows(struct pel_smooth_outline *o, int32_t y,
 {
     struct rows r;
     find_rows(o, y, end, &r);
-    const int32_t n = r.batch[0].n;
+    const int32_t n = r.pair[0].batch.n;
     for (int32_t i = 0; i < r.sides / 2; i++)
-        paint(o, &r.batch[i]);
+        paint(o, &r.pair[i].batch);
     return n;
 }
 
