@@ -46,11 +46,47 @@ static int64_t line_at(struct pel_smooth_line *l, int32_t y)
     return l->at >> 16;
 }
 
-/* A line, or the upper or lower half of one that may be too wide. */
-static bool find_line(struct pel_smooth_outline *outline, int32_t y, int32_t i,
+/* What lies between two places at the top and the bottom of a part of a row. */
+static inline void set_crossing(struct pel_smooth_crossing *c,
+                                const struct pel_smooth_line *l, int64_t a,
+                                int64_t b)
+{
+    const int64_t first = a < b ? a : b;
+    const int32_t way = (int32_t)(b - a);
+    c->strip.slope = l->slope;
+    c->center = (int32_t)(first >> 8);
+    c->strip.at_far = first & 255;
+    c->strip.at_near = pel_magnitude(way) + c->strip.at_far;
+    c->left = false;
+    c->rising = l->rising;
+}
+
+/* Moves a line on by a row, or stays where it has been moved to. False: it
+ * begins or ends there, or has not been in the row above. */
+static bool move_line(struct pel_smooth_line *l, int32_t y,
                       struct pel_smooth_crossing *c)
 {
-    struct pel_smooth_lines *const lines = (void *)outline;
+    if (y + 1 == l->row) {
+        l->at -= l->step;
+        l->row = y;
+    }
+    const int64_t at = l->at;
+    if (y != l->row || y * INT64_C(65536) < l->top.y ||
+        y >= (int32_t)((l->bottom.y - 1) >> 16))
+        return false;
+    l->at += l->step;
+    l->row++;
+    c->strip.circle = NULL;
+    c->strip.near = 0;
+    c->strip.far = 65536;
+    set_crossing(c, l, at >> 16, l->at >> 16);
+    return true;
+}
+
+/* A line, or the upper or lower half of one that may be too wide. */
+static bool find_part(const struct pel_smooth_lines *lines, int32_t y,
+                      int32_t i, struct pel_smooth_crossing *c)
+{
     struct pel_smooth_line *const l = &lines->line[lines->wide ? i >> 1 : i];
     const struct pel_smooth_far_place *top = &l->top, *bottom = &l->bottom;
     const struct pel_smooth_far_place middle = {(top->x + bottom->x) >> 1,
@@ -60,16 +96,18 @@ static bool find_line(struct pel_smooth_outline *outline, int32_t y, int32_t i,
         *(i & 1 ? &top : &bottom) = &middle;
     if (!pel_smooth_upright(c, y, top->y, bottom->y))
         return false;
-    const int64_t a = top->y < row ? line_at(l, y) : top->x;
-    const int64_t b = bottom->y > row + 65536 ? line_at(l, y + 1) : bottom->x;
-    const int64_t first = a < b ? a : b, last = a < b ? b : a;
-    c->strip.slope = l->slope;
-    c->center = (int32_t)(first >> 8);
-    c->strip.at_far = first & 255;
-    c->strip.at_near = (int32_t)(last - first) + c->strip.at_far;
-    c->left = false;
-    c->rising = l->rising;
+    set_crossing(c, l, top->y < row ? line_at(l, y) : top->x,
+                 bottom->y > row + 65536 ? line_at(l, y + 1) : bottom->x);
     return true;
+}
+
+static bool find_line(struct pel_smooth_outline *outline, int32_t y, int32_t i,
+                      struct pel_smooth_crossing *c)
+{
+    const struct pel_smooth_lines *const lines = (const void *)outline;
+    return (!PEL_SMOOTH_TINY && !lines->wide &&
+            move_line(&lines->line[i], y, c)) ||
+           find_part(lines, y, i, c);
 }
 
 static void set_line(struct pel_smooth_line *l, struct pel_point d)
