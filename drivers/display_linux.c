@@ -128,6 +128,7 @@ static const char *format_name(const struct pel_format *format)
         [PEL_FORMAT_RGB332] = "rgb332",
         [PEL_FORMAT_GRAY8] = "gray8",
         [PEL_FORMAT_GRAY4] = "gray4",
+        [PEL_FORMAT_INKS2] = "inks2",
         [PEL_FORMAT_GRAY2] = "gray2",
         [PEL_FORMAT_MONO1] = "mono1",
         [PEL_FORMAT_MONO1_PAGES] = "mono1_pages"};

@@ -134,6 +134,7 @@ void fills_report(void)
                    {"gray8", &pel_gray8},
                    {"gray4", &pel_gray4},
                    {"inks2", &pel_inks2},
+                   {"gray2", &pel_gray2},
                    {"mono1", &pel_mono1},
                    {"mono1_pages", &pel_mono1_pages}};
     const struct pel_rect bounds = {0, 0, WIDTH, HEIGHT};

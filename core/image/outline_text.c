@@ -262,7 +262,8 @@ enum pel_status pel_outline_text_fill(const struct pel_surface *surface,
                                       const struct pel_outline_fill *fill)
 {
     struct drawing d = {.visitor = {draw_glyph}, .fill = fill};
-    if (!surface || !text || !fill->paint || !fill->scratch.memory)
+    if (!surface || !text || !text->font || !text->string || !fill->paint ||
+        !fill->scratch.memory)
         return PEL_ERROR_NULL;
     if (!is_tolerance(text->tolerance))
         return PEL_ERROR_RANGE;

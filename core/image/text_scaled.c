@@ -67,5 +67,8 @@ void pel_text_scaled(const struct pel_surface *surface,
     const struct pel_rect all = squares_in(&squares);
     const struct pel_surface field = {.bounds = all, .clip = all};
     const struct pel_text_block small = {text->font, text->string, 0, 0};
-    pel_text(&field, &small, &squares.paint);
+    if (scale == 1)
+        pel_text(surface, text, paint);
+    else
+        pel_text(&field, &small, &squares.paint);
 }

@@ -14,7 +14,7 @@ static PEL_NOINLINE_32 int32_t skip(const struct pel_polyline_shape *line,
     else
         return i;
     while (i < line->n && line->v[i].y >= low && line->v[i].y <= high &&
-           (uint32_t)(line->v[i].x + pen->most) <= all)
+           (uint32_t)line->v[i].x + (uint32_t)pen->most <= all)
         i++;
     return i;
 }

@@ -119,7 +119,7 @@ static bool put_pixels(const struct pel_surface *s, const struct pel_rect *p,
     const int32_t left = pel_min(p->x0, p->x1), right = pel_max(p->x0, p->x1);
     const int32_t dx = right - left, dy = p->y1 - p->y0;
     if (dx >= 8 * dy || paint->fill != pel_flat_fill ||
-        f->id > PEL_FORMAT_INKS2 || !f->fill || left < clip->x0 ||
+        f->id > PEL_FORMAT_GRAY2 || !f->fill || left < clip->x0 ||
         right >= clip->x1 || p->y0 < clip->y0 || p->y1 >= clip->y1)
         return false;
     const pel_color color = ((const struct pel_flat *)paint)->color;

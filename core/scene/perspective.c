@@ -2,12 +2,9 @@
 
 enum { SPAN = 8 };
 
-/* What a value may be off by between divided pixels, bits of 2^-24: 1/4 step of
- * a color, 2^-12 of the longest normal and the farthest position. */
-static int room_of(int k)
-{
-    return k < PEL_AT_COLOR ? 41 : 22;
-}
+/* What a color may be off by between divided pixels, bits of 2^-24: 1/4 step.
+ */
+enum { ROOM = 22 };
 
 /* Steps that light at pixels is taken to change by over a triangle, at most. */
 enum { CHANGE_OF_LIGHT = 2048 };
@@ -23,7 +20,7 @@ static int32_t range_of(const pel_color color[3])
     return range;
 }
 
-/* True where a line over the span of a pixel keeps the room of all values: du
+/* True where a line over the span of a pixel keeps the room of all colors: du
  * (r - 1) / 4, du in 1/64 of it. */
 static bool is_near(const struct pel_divided_triangle *d,
                     const struct pel_plane *line, int32_t x, int32_t y)
@@ -34,8 +31,8 @@ static bool is_near(const struct pel_divided_triangle *d,
     const int64_t change = (int64_t)(d->by.w.dx << bits) >> 24;
     const int64_t least = change < 0 ? w + change : w;
     for (int k = 0; k < d->by.values; k++) {
-        const uint64_t du = (uint64_t)pel_size_of((int64_t)line[k].dx) >>
-                            (room_of(d->first + k) - 6 - bits);
+        const uint64_t du =
+            (uint64_t)pel_size_of((int64_t)line[k].dx) >> (ROOM - 6 - bits);
         if (du >> 32 ||
             pel_multiply((uint32_t)du, (uint32_t)pel_size_of(change)) >
                 (uint64_t)least << 8)
@@ -118,7 +115,8 @@ static bool start(struct pel_frame *frame, int32_t change, int first)
     }
     if (frame->projector.one || pel_long_product(change, far - near) <= near)
         return false;
-    pel_divided_init(&d->by, pel_frame_setup(frame), z, SPAN);
+    pel_divided_init(&d->by, pel_frame_setup(frame), z,
+                     first == PEL_AT_COLOR ? SPAN : PEL_SPAN_EXACT);
     d->by.values = (uint8_t)(PEL_VALUES - first);
     d->by.value = &d->value[first];
     d->first = (uint8_t)first;

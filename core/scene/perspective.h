@@ -41,8 +41,9 @@ struct pel_division {
     pel_value_function *value; /* for its other values */
 };
 
-/* Divided every 8 pixels, or at every one where a color would be off by more
- * than 1/4 step between, or a normal by 2^-12. */
+/* Colors alone are divided every 8 pixels, or at every one where they would be
+ * off by more than 1/4 step between; with normals and positions all are divided
+ * at every one, as light near a lamp shows the least change of a position. */
 extern const struct pel_division pel_division;
 
 /* Shadings of shading.h with colors, normals and positions as

@@ -24,7 +24,7 @@ void pel_smooth_thick_line_square(const struct pel_surface *surface,
                                   const struct pel_paint *paint);
 
 /* The same with round ends: all points within half of the width, rounded down
- * to 1/256 px, of the line between the two ends, within 1 of 255 times their
+ * to 1/256 px, of the line between the two ends, within 1.1 of 255 times their
  * area in a pixel up to widths of 4,096 px. Without length it is a disc. The
  * two ends and the width must be in range, not the corners. */
 void pel_smooth_thick_line_round(const struct pel_surface *surface,

@@ -196,7 +196,8 @@ uint32_t pel_smooth_column_area(const struct pel_smooth_strip *s, int32_t u,
     uint32_t whole = 0;
     if (first) {
         if (last && s->far - s->near == 65536)
-            return whole_area(s, (uint32_t)(s->at_far - u + s->at_near - u));
+            return whole_area(s, (uint32_t)s->at_far + (uint32_t)s->at_near -
+                                     2 * (uint32_t)u);
         whole = (uint32_t)(s->at_far - u) >> 1;
     }
     p->v0 = first ? s->far : p->u1 == u ? p->v1 : height_at(s, u);

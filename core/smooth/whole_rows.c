@@ -219,8 +219,8 @@ static void put_pair(struct pair *p, struct pel_smooth_side *k)
 
 static bool has_room(const struct pair *p, const struct pel_smooth_side *k)
 {
-    return p->to + k[0].bytes + k[1].bytes <=
-           p->batch.coverage + PEL_SMOOTH_BATCH_BYTES;
+    return k[0].bytes + k[1].bytes <=
+           p->batch.coverage + PEL_SMOOTH_BATCH_BYTES - p->to;
 }
 
 /* Adds a row, if there is room. */

@@ -8,8 +8,13 @@
 /* For boards of a few kilobytes. */
 #ifdef NO_MESHES
 #define MESH_SCENES
+#define SMOOTH_SCENES
 #else
 #include "tests/golden/mesh.h"
+#include "tests/golden/smooth.h"
+#define SMOOTH_SCENES                                                \
+    {SCENE(smooth_straight)}, {SCENE(smooth_round)}, {SCENE(paths)}, \
+        {SCENE(smooth_paths)},
 #define MESH_SCENES {SCENE(phong)}, {SCENE(depth)},
 #endif
 
@@ -201,9 +206,15 @@ static const struct scene {
     void (*draw)(const struct pel_surface *);
 } scenes[] = {
 #define SCENE(name) #name, draw_##name
-    {SCENE(triangles)}, {SCENE(gouraud)},  {SCENE(gouraud_alpha)},
-    {SCENE(circles)},   {SCENE(even_odd)}, {SCENE(non_zero)},
-    {SCENE(lines)},     {SCENE(far)},      MESH_SCENES{SCENE(gradients)},
+    {SCENE(triangles)},
+    {SCENE(gouraud)},
+    {SCENE(gouraud_alpha)},
+    {SCENE(circles)},
+    {SCENE(even_odd)},
+    {SCENE(non_zero)},
+    {SCENE(lines)},
+    {SCENE(far)},
+    MESH_SCENES SMOOTH_SCENES{SCENE(gradients)},
     {SCENE(runs)}};
 
 static const struct {

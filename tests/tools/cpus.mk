@@ -91,8 +91,8 @@ CPU_BUILDS := $(sort $(CPU_CHECK) $(CPU_CHECK_BOARDS) $(BUILDS_CHECK) \
     deep deep-cpus deep-builds,$(MAKECMDGOALS)),$(CPU_DEEP) $(BUILDS_DEEP)))
 $(foreach b,$(CPU_BUILDS),$(eval $(call cpu_build,$b)))
 
-# The scenes from the objects of a CPU in the memory of a board, without meshes
-# where they do not fit.
+# The scenes from the objects of a CPU in the memory of a board, without meshes,
+# smooth edges and paths where they do not fit.
 SMALL_FLAGS_microbit := -DNO_MESHES
 SMALL_FLAGS_stm32vldiscovery := -DNO_MESHES
 SMALL_FLAGS_sifive_e := -DNO_MESHES
@@ -100,7 +100,7 @@ SMALL_FLAGS_sifive_e := -DNO_MESHES
 define cpu_small_board
 $(BUILD)/cpus/gcc-$1-O2/scenes: tests/golden/scenes.c $(BUILD)/cpus/gcc-$2-O2/scenes
 	@mkdir -p $$(@D)
-	@grep -v $(if $(SMALL_FLAGS_$1),-e '^phong ' -e '^depth ',nothing) \
+	@grep -v $(if $(SMALL_FLAGS_$1),-e '^phong ' -e '^depth ' -e '^smooth_' -e '^paths ',nothing) \
 	    tests/golden/scenes.txt >$$(@D)/golden.txt
 	@$(CPU_PREFIX_$2)-gcc $(CPU_FLAGS_$2) $$(PEL_CFLAGS) -Os $(SMALL_FLAGS_$1) $$< \
 	    $(CORE:%.c=$(BUILD)/cpus/gcc-$2-O2/%.o) $(CPU_LINK_$1) -o $$@
