@@ -9,10 +9,10 @@
 PEL_BEGIN_DECLS
 
 /* Paints the part of pel_smooth_ring between two angles, clockwise from the ray
- * of `from` to that of `to`, each pixel by its area (smooth.h): within 1.1 of 255
- * times that up to a radius of 2,048 px. Rays have the integer directions of
- * pel_direction. Nothing when outer <= inner or from and to are one angle; the
- * whole ring when to - from is 65,536 or more. */
+ * of `from` to that of `to`, each pixel by its area (smooth.h): within 1.1 of
+ * 255 times that up to a radius of 2,048 px. Rays have the integer directions
+ * of pel_direction. Nothing when outer <= inner or from and to are one angle;
+ * the whole ring when to - from is 65,536 or more. */
 void pel_smooth_arc(const struct pel_surface *surface,
                     const struct pel_arc_shape *arc,
                     const struct pel_paint *paint);

@@ -40,7 +40,7 @@ static void next_edges(struct pel_smooth_walk *k)
 /* Begins at the top, and moves on to row k->y, if that is below. */
 static void start(struct pel_smooth_walk *k, int i, int32_t top)
 {
-    struct pel_smooth_side *const s = &k->side[i];
+    struct pel_smooth_chain *const s = &k->side[i];
     s->edge.to = top;
     do
         pel_smooth_next_edge(k, i);

@@ -16,7 +16,7 @@ static inline uint8_t coverage_of(uint32_t area, uint32_t flip, uint32_t half)
 
 /* The coverage of the pixels, more than one, that a side has crossed: where the
  * bytes end. *x: the first one; before, the one at the top. */
-static PEL_NOINLINE_32 uint8_t *cross_pixels(const struct pel_smooth_side *s,
+static PEL_NOINLINE_32 uint8_t *cross_pixels(const struct pel_smooth_chain *s,
                                              uint32_t flip, int32_t *x,
                                              uint8_t *to)
 {
@@ -43,7 +43,7 @@ static PEL_NOINLINE_32 uint8_t *cross_pixels(const struct pel_smooth_side *s,
 
 /* The coverage of the pixels that a side crosses in a row: where the bytes end.
  * *x: the first one. Moves the side on. */
-static PEL_NOINLINE_32 uint8_t *cross_row(struct pel_smooth_side *s,
+static PEL_NOINLINE_32 uint8_t *cross_row(struct pel_smooth_chain *s,
                                           uint32_t flip, int32_t *x,
                                           uint8_t *to)
 {
@@ -63,7 +63,7 @@ static PEL_NOINLINE_32 uint8_t *cross_row(struct pel_smooth_side *s,
 /* What a side is in the row above, right of pixel x, from which it lies a
  * batch's bytes away at most; sides of round lines may lie beyond the range of
  * coordinates. */
-static PEL_NOINLINE_32 void set_piece(const struct pel_smooth_side *s,
+static PEL_NOINLINE_32 void set_piece(const struct pel_smooth_chain *s,
                                       int32_t x, struct pel_smooth_piece *p)
 {
     const int64_t at = s->at - x * (INT64_C(1) << 32);

@@ -27,7 +27,7 @@ static PEL_NOINLINE_32 void find_edge(const struct pel_smooth_walk *k, int i,
 
 void pel_smooth_next_edge(struct pel_smooth_walk *k, int i)
 {
-    struct pel_smooth_side *const s = &k->side[i];
+    struct pel_smooth_chain *const s = &k->side[i];
     find_edge(k, i, &s->edge);
     const struct pel_point *const a = &k->v[s->edge.from];
     const struct pel_point *const b = &k->v[s->edge.to];
@@ -37,7 +37,7 @@ void pel_smooth_next_edge(struct pel_smooth_walk *k, int i)
     s->step = pel_smooth_slope(a, b, &s->rise);
 }
 
-void pel_smooth_go_down(struct pel_smooth_side *s, int32_t h)
+void pel_smooth_go_down(struct pel_smooth_chain *s, int32_t h)
 {
     const int64_t part =
         (int64_t)(pel_times((uint64_t)pel_size_of(s->step), h) >> 8);
@@ -57,7 +57,7 @@ static PEL_NOINLINE_32 void widen(struct pel_smooth_walk *k, int64_t at)
  */
 static void pass(struct pel_smooth_walk *k, int i)
 {
-    struct pel_smooth_side *const s = &k->side[i];
+    struct pel_smooth_chain *const s = &k->side[i];
     const int32_t bottom = PEL_PX(k->y) + 256;
     k->of.row.above[i] = (struct pel_smooth_above){(int32_t)(s->at >> 16),
                                                    s->rise, s->edge.from};

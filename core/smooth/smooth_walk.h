@@ -15,7 +15,7 @@ struct pel_smooth_vertices {
     int32_t from, to;
 };
 
-struct pel_smooth_side {
+struct pel_smooth_chain {
     int64_t at;   /* x at the top of the row or of the edge, px 2^-32 */
     int64_t step; /* to the next row */
     struct pel_rise rise;
@@ -40,7 +40,7 @@ struct pel_smooth_walk {
     bool inside;          /* no column is clipped away */
     uint8_t rows;         /* that a batch has room for, .. */
     int32_t whole; /* .. above this one, of those that edges cross as a whole */
-    struct pel_smooth_side side[2];
+    struct pel_smooth_chain side[2];
     union {
         struct pel_smooth_batch batch;
         struct {
@@ -60,7 +60,7 @@ void pel_smooth_next_edge(struct pel_smooth_walk *k, int i);
 /* Moves a side down by h / 256 px. The part of a step is rounded towards 0: it
  * does not pass its end. h is less than the edge is high, or 256, so the
  * product is below 2^24 2^32. */
-void pel_smooth_go_down(struct pel_smooth_side *s, int32_t h);
+void pel_smooth_go_down(struct pel_smooth_chain *s, int32_t h);
 
 /* How many rows that both sides cross a batch has room for; 0 where they cross
  * too many pixels. */
