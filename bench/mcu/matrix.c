@@ -75,7 +75,7 @@ static struct pel_frame frame;
 
 static enum pel_status make_mesh(const struct pel_shading *shading)
 {
-    static uint64_t scratch[250];
+    static uint64_t scratch[PEL_SCENE_SCRATCH_SIZE(4, 2, 1) / 8 + 1];
     scene.shading = shading;
     return pel_scene_prepare(&frame, &scene, scratch, sizeof scratch);
 }
