@@ -2,9 +2,8 @@
  *
  * Lists: for each command its number of bytes, itself among them, and the
  * bytes; between them PEL_EPAPER_WAIT, until the chip is not busy,
- * PEL_EPAPER_PLANE, the bytes of the frame's first plane, the next time those
- * of its second one, and PEL_EPAPER_ZEROS + n, 1 to 61 zeros; 0 ends the list.
- */
+ * and PEL_EPAPER_PLANE, the bytes of the frame's first plane, the next time
+ * those of its second one; 0 ends the list. */
 #ifndef PEL_DRIVERS_EPAPER_CHIP_H
 #define PEL_DRIVERS_EPAPER_CHIP_H
 

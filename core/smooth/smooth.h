@@ -56,9 +56,10 @@ enum { PEL_SMOOTH_BATCH_ROWS = 16, PEL_SMOOTH_BATCH_BYTES = 128 };
 enum { PEL_SMOOTH_BATCH_ROWS = 8, PEL_SMOOTH_BATCH_BYTES = 40 };
 #endif
 
-/* Rows one below the other. In each are pixels with a coverage before the full
- * ones, and others behind them: two counts, and so many bytes. Where x0 > x1 no
- * pixel is full. */
+/* Rows one below the other, of the room that the level gives at which the
+ * library is compiled: for shapes of its own. In each are pixels with a
+ * coverage before the full ones, and others behind them: two counts, and so
+ * many bytes. Where x0 > x1 no pixel is full. */
 struct pel_smooth_batch {
     int32_t y, n;
     uint8_t count[2 * PEL_SMOOTH_BATCH_ROWS];

@@ -34,7 +34,7 @@ static void set_axis(struct axis *axis, int32_t radius, int32_t other)
     axis->ratio = pel_divide(n, (uint32_t)radius);
 }
 
-/* The square of the root that `other_at` takes, times 4^up; below 2^46 at
+/* The square of the root that `root_at` takes, times 4^up; below 2^46 at
  * first.
  */
 static uint64_t square_at(const struct axis *axis, int32_t distance, int *up)
@@ -88,7 +88,7 @@ static uint32_t cross_of(const struct pel_smooth_arc_piece *p)
 /* The area between a piece and its chord, 2^-15 px. In the picture of the
  * circle it is, with half of the chord q and the sine s of its angle,
  *     1/3 s q^2 (1 + 3/10 q^2 + 9/56 q^4 ..) / sqrt(1 - q^2)
- * (disc_side.c has the rest of the series as a cubic). s is the cross product
+ * (strip.c has the rest of the series as a cubic). s is the cross product
  * of both ends, and grows with the area. */
 static uint32_t bulge_of(const struct pel_smooth_oval *oval,
                          const struct pel_smooth_arc_piece *p)
