@@ -306,5 +306,5 @@ TEST(textures)
 
 TEST(perspective)
 {
-    check_pictures(1000, dress_perspective, 1);
+    check_pictures(1000, dress_perspective, 2);
 }
