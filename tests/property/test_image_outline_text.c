@@ -150,8 +150,8 @@ static void print_text(const void *value)
 {
     const struct pel_outline_text_block *const t = value;
     const struct pel_transform *const m = &t->transform;
-    printf("text \"%s\" align %d by %d %d %d %d at %d %d\n", any.string,
-           (int)t->align, m->xx, m->xy, m->yx, m->yy, m->at.x, m->at.y);
+    fprintf(stderr, "text %d %d %d %d at %d %d align %d \"%s\"\n", m->xx, m->xy,
+            m->yx, m->yy, m->at.x, m->at.y, (int)t->align, any.string);
 }
 
 static void make_text(struct random *r)

@@ -68,10 +68,9 @@ machine virtual terminals?" "$pel" console --reset --tty /dev/none
 guide=$root/docs/linux.md
 program() { # TEXT THAT IT SAYS, NAME
     rm -f "$folder/$2"
-    awk -v name="$2" 'index($0, "`" name ".c`") { on = 1; next }
-        on && /^    cc / { exit }
-        on && (/^    / || /^$/) { sub(/^    /, ""); print }' "$guide" \
-        > "$folder/$2.c"
+    awk -v head="<!-- program: $2 -->" '$0 == head { found = 1; next }
+        found && /^```/ { if (on++) exit; next }
+        on' "$guide" >"$folder/$2.c"
     command=$(sed -n "s/^    \\(cc .* $2.c .*\\)/\\1/p" "$guide" |
         sed "s|build/|$build/|g; s| $2| $folder/$2|g")
     (cd "$root" && sh -c "$command") || {
