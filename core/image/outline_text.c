@@ -252,11 +252,6 @@ static bool draw_glyph(struct visitor *visitor, struct placed *g)
     return d->status == PEL_OK;
 }
 
-static bool is_tolerance(int32_t tolerance)
-{
-    return tolerance == 0 || (tolerance >= 4 && tolerance <= 65535);
-}
-
 enum pel_status pel_outline_text_fill(const struct pel_surface *surface,
                                       const struct pel_outline_text_block *text,
                                       const struct pel_outline_fill *fill)
@@ -265,7 +260,7 @@ enum pel_status pel_outline_text_fill(const struct pel_surface *surface,
     if (!surface || !text || !text->font || !text->string || !fill->paint ||
         !fill->scratch.memory)
         return PEL_ERROR_NULL;
-    if (!is_tolerance(text->tolerance))
+    if (!pel_tolerance_legal(text->tolerance))
         return PEL_ERROR_RANGE;
     d.surface = *surface;
     d.clip = surface->clip;
@@ -304,7 +299,7 @@ bool pel_hit_outline_text(const struct pel_outline_text_block *text, int32_t x,
                           int32_t y)
 {
     struct hit h = {.visitor = {hit_glyph}, .x = x, .y = y};
-    if (is_tolerance(text->tolerance))
+    if (pel_tolerance_legal(text->tolerance))
         visit(text, &h.visitor);
     return h.inside;
 }

@@ -208,7 +208,7 @@ static PEL_NOINLINE enum pel_status begin(const struct pel_path_shape *shape,
     const enum pel_status status = check(shape->path);
     if (status != PEL_OK)
         return status;
-    if (tolerance && (tolerance < 4 || tolerance > 65535))
+    if (!pel_tolerance_legal(tolerance))
         return PEL_ERROR_RANGE;
     w->shape = shape;
     w->verb = shape->path->verbs;

@@ -5,8 +5,6 @@
 
 #include "sides.h"
 
-struct pel_pen;
-
 /* A coordinate of a curve: the factors of t, t^2 and t^3. */
 struct pel_factors {
     int32_t c, b, a;
@@ -24,6 +22,12 @@ struct pel_curves {
     int k;
     bool seen, closed;
 };
+
+/* May a shape have it? 0 stands for the usual one. */
+static inline bool pel_tolerance_legal(int32_t tolerance)
+{
+    return tolerance == 0 || (tolerance >= 4 && tolerance <= 65535);
+}
 
 /* A path that is walked. */
 struct pel_path_state {

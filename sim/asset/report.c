@@ -90,47 +90,54 @@ void report_picture(const struct import_options *options,
     put_others(format, &(const struct picture *){picture}, 1);
 }
 
+/* What the arrays of a font take, bytes, and what they are. */
+struct font_arrays {
+    size_t data, pairs, glyphs, ranges;
+    const char *of_data, *of_glyphs, *summary;
+};
+
+static void put_font(const struct font_arrays *font)
+{
+    enum { STRUCT = 48 };
+    put(font->data, font->of_data);
+    if (font->pairs)
+        put(font->pairs, "pairs of glyphs that are closer or further apart");
+    put(font->glyphs, font->of_glyphs);
+    put(font->ranges, "ranges of characters");
+    put(STRUCT, "the struct, on a 32-bit CPU");
+    put(font->data + font->pairs + font->glyphs + font->ranges + STRUCT,
+        font->summary);
+}
+
 void report_font(const struct import_options *options,
                  const struct pel_font_asset *font)
 {
-    enum { STRUCT = 48 };
     char what[64];
-    const size_t glyphs = font->glyphs * sizeof *font->glyph;
-    const size_t ranges = font->ranges * sizeof *font->range;
     if (is_silent(options))
         return;
-    const size_t pairs = font->pairs * sizeof *font->pair;
-    put(font->size, font->kind ? "runs of coverage, equal glyphs once"
-                               : "rows of glyphs, equal ones once");
-    if (pairs)
-        put(pairs, "pairs of glyphs that are closer or further apart");
-    put(glyphs, "places and sizes of glyphs");
-    put(ranges, "ranges of characters");
-    put(STRUCT, "the struct, on a 32-bit CPU");
     snprintf(what, sizeof(what), "bytes in flash: %u glyphs, lines of %d px",
              font->glyphs, font->ascent + font->descent);
-    put(font->size + glyphs + ranges + pairs + STRUCT, what);
+    put_font(&(struct font_arrays){
+        font->size, font->pairs * sizeof *font->pair,
+        font->glyphs * sizeof *font->glyph, font->ranges * sizeof *font->range,
+        font->kind ? "runs of coverage, equal glyphs once"
+                   : "rows of glyphs, equal ones once",
+        "places and sizes of glyphs", what});
 }
 
 void report_outlines(const struct import_options *options,
                      const struct pel_outline_font_asset *font)
 {
-    enum { STRUCT = 48 };
     char what[64];
-    const size_t glyphs = font->glyphs * sizeof *font->glyph;
-    const size_t ranges = font->ranges * sizeof *font->range;
-    const size_t pairs = font->pairs * sizeof *font->pair;
     if (is_silent(options))
         return;
-    put(font->size, "points of glyphs, equal ones once");
-    if (pairs)
-        put(pairs, "pairs of glyphs that are closer or further apart");
-    put(glyphs, "places and advances of glyphs");
-    put(ranges, "ranges of characters");
-    put(STRUCT, "the struct, on a 32-bit CPU");
     snprintf(what, sizeof(what), "bytes in flash: %u glyphs, an em of %u units",
              font->glyphs, font->em);
-    put(font->size + glyphs + ranges + pairs + STRUCT, what);
+    put_font(&(struct font_arrays){font->size, font->pairs * sizeof *font->pair,
+                                   font->glyphs * sizeof *font->glyph,
+                                   font->ranges * sizeof *font->range,
+                                   "points of glyphs, equal ones once",
+                                   "places and advances of glyphs", what});
 }
 
 static void put_textures(const struct model *model,

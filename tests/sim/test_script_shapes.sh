@@ -98,7 +98,7 @@ printf 'P3 2 2 255  255 0 0  0 0 0  0 0 0  0 255 0\n' >"$work/p.ppm"
 same 'rect 4 5 2 2\nrect 7 5 2 2\nrect 4 7 2 2\nrect 10 5 1 1' \
     'font "a folder/f.bdf"\ntext 4 5 "xx\\"\\nx" # a comment'
 dejavu=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf
-if [ -f "$dejavu" ] && "$PEL" import "$dejavu" --outline -o "$work/o.c" >/dev/null 2>&1; then
+if "$PEL" import "$dejavu" --outline -o "$work/o.c" >/dev/null 2>"$work/err"; then
     # its l reaches from 193 to 377 units of 2,048, and is 1,556 high
     same 'rect 8.5078125 2.609375 1.4375 12.15625' \
         "font outline $dejavu\\ntext outline 7 14.765625 16 0 \"l\""
@@ -107,6 +107,8 @@ if [ -f "$dejavu" ] && "$PEL" import "$dejavu" --outline -o "$work/o.c" >/dev/nu
     # each has an advance of 569
     same 'rect 11.4140625 2.609375 1.4375 12.15625\nrect 6.96875 2.609375 1.4375 12.15625' \
         "font outline $dejavu\\noption align center\\ntext outline 9.90625 14.765625 16 0 \"ll\""
+else
+    grep -q libfreetype-dev "$work/err" || fail "$dejavu: $(cat "$work/err")"
 fi
 same 'paint flat #ff0000\nrect 4 5 1 1\npaint flat #00ff00\nrect 5 6 1 1' \
     'image 4 5 p.ppm'
