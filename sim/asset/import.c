@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "sim/asset/measure.h"
 #include "sim/asset/text.h"
 #include "sim/cli/arguments.h"
 #include "sim/cli/commands.h"
@@ -21,7 +22,8 @@ enum import_kind {
     IMPORT_MESH = 1,
     IMPORT_PICTURE = 2,
     IMPORT_FONT = 4,
-    IMPORT_PEL2D = 8
+    IMPORT_PEL2D = 8,
+    IMPORT_VIEWS = 16 /* with IMPORT_MESH: --view is given */
 };
 
 struct import_command {
@@ -29,6 +31,7 @@ struct import_command {
     struct import_options options;
     const struct pel_format *format; /* NULL: not given */
     bool normals16;                  /* else 8 bits */
+    const char *views;               /* NULL: nothing is measured */
     enum import_kind kind;
     char name[128]; /* made from the output's */
 };
@@ -152,6 +155,14 @@ static const struct option_row mesh_options[] = {
     {"normals", "BITS", "8 (default) or 16", OPTION_CHOICE,
      .offset = offsetof(struct import_command, normals16), .n = sizeof(bool),
      .expected = "8|16"},
+    {"view", "NUMBER|FILE",
+     "also write the cheapest shading of each part and mapping of each texture "
+     "that stay within --tolerance (default: 0) of what is exact at every "
+     "pixel, in so many views from all sides, or those of a file: lines of the "
+     "mesh's turn X,Y,Z and, where they move, of the eye and the target. With "
+     "all options below that place camera and light, --size (240x240), "
+     "--texture of firmware",
+     OPTION_TEXT, .offset = offsetof(struct import_command, views)},
     {.help = NULL},
 };
 
@@ -161,7 +172,8 @@ static const char about[] =
     "picture (pel/asset/image_asset.h) or a font "
     "(pel/asset/font_asset.h); or an output .pel2d, a mesh projected "
     "already.\nOf the options under the headings from Shading on, a C asset of "
-    "a mesh takes --texture-file, --normals-from and --crease alone; a .pel2d "
+    "a mesh takes --texture-file, --normals-from and --crease alone, and with "
+    "--view all but those of pel render; a .pel2d "
     "takes also --color, --turn, --texture, --wrap, --size and those that "
     "place camera and light. What has no meaning is refused.\v"
     "The colours of a mesh's asset are texels at its vertices: firmware "
@@ -183,18 +195,21 @@ static const struct use {
 } uses[] = {
     {"name", IMPORT_MESH | IMPORT_PICTURE | IMPORT_FONT, "C assets"},
     {"format", IMPORT_PICTURE | IMPORT_MESH, "pictures and textures"},
-    {"normals", IMPORT_MESH, "C assets of meshes"},
+    {"normals|view", IMPORT_MESH, "C assets of meshes"},
     {"codes|chars|encoding|font-size|bits|hinting|next|outline", IMPORT_FONT,
      "fonts"},
     {"texture-file|normals-from|crease", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
-    {"shade|transparency|order|cull|mapping|span", 0, "pel render"},
+    {"shade|transparency|order|cull|mapping|span|texel-tolerance", 0,
+     "pel render"},
+    {"tolerance", IMPORT_VIEWS, "--view"},
     {"background|" IMPORT_CHANGE_OPTIONS, IMPORT_PICTURE, "pictures"},
-    {NULL, IMPORT_PEL2D, "an output .pel2d"},
+    {NULL, IMPORT_PEL2D | IMPORT_VIEWS, "an output .pel2d and --view"},
 };
 
 static bool check_options(const struct options_given *given,
-                          enum import_kind kind)
+                          enum import_kind kind, bool views)
 {
+    const unsigned kinds = (unsigned)kind | (views ? IMPORT_VIEWS : 0);
     const char *name =
         kind == IMPORT_MESH      ? "a C asset of a mesh holds the mesh itself"
         : kind == IMPORT_PICTURE ? "this is a picture"
@@ -205,7 +220,7 @@ static bool check_options(const struct options_given *given,
         const struct use *use = uses;
         while (use->options && choice_find(use->options, given->names[i]) < 0)
             use++;
-        if (!(use->kinds & (unsigned)kind))
+        if (!(use->kinds & kinds))
             return message_error("--%s is for %s; %s", given->names[i],
                                  use->what, name);
     }
@@ -267,7 +282,8 @@ static bool check(struct import_command *c)
     if (!o->name)
         o->name = import_name(output, c->name);
     return (picture || font || check_mesh(input)) &&
-           check_options(&c->scene.given, c->kind) && check_outline(c) &&
+           check_options(&c->scene.given, c->kind, c->views) &&
+           check_outline(c) &&
            (c->kind == IMPORT_PEL2D || import_name_check(o->name)) &&
            (!o->next || import_name_check(o->next)) && import_codes_check(o);
 }
@@ -317,6 +333,17 @@ static bool import_as_picture(struct import_command *c)
     return done;
 }
 
+/* Those of the views: textures are drawn where they are written. */
+static const struct scene_settings *view_settings(struct import_command *c)
+{
+    struct scene_settings *s = &c->scene.settings;
+    if (!c->format)
+        s->texture = SCENE_TEXTURE_NONE;
+    if (!options_has(&c->scene.given, "size"))
+        s->camera.width = s->camera.height = 240;
+    return s;
+}
+
 static bool import_as_mesh(struct import_command *c)
 {
     struct mesh mesh;
@@ -331,7 +358,14 @@ static bool import_as_mesh(struct import_command *c)
                 model_add_textures(&model, &mesh, source);
     if (done && !own_colors)
         model_paint(&model);
+    struct measure measure = {.views = c->views,
+                              .tolerance = c->scene.settings.tolerance};
+    if (done && c->views) {
+        c->options.measure = &measure;
+        done = measure_model(&measure, &model, view_settings(c));
+    }
     done = done && import_mesh(&c->options, &model, c->format);
+    measure_free(&measure);
     model_free(&model);
     mesh_free(&mesh);
     return done;

@@ -8,6 +8,8 @@
 #include "sim/image/reduce.h"
 #include "sim/mesh/model.h"
 
+struct measure;
+
 /* The name of the format that keeps the alpha of pictures; no display has it,
  * so format_find does not find it. */
 #define IMPORT_ALPHA_FORMAT "argb8888"
@@ -47,6 +49,7 @@ struct import_options {
     const char *chars;    /* ... and characters; without either all */
     pel_color background; /* of a picture's transparent parts, opaque */
     struct import_changes changes;
+    const struct measure *measure; /* of a mesh; NULL: nothing was measured */
 };
 
 /* The options of struct import_changes. */

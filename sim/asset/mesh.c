@@ -2,6 +2,7 @@
 
 #include "core/format/argb8888.h"
 #include "core/scene/pipeline.h"
+#include "sim/asset/measure.h"
 #include "sim/asset/report.h"
 #include "sim/asset/text.h"
 #include "sim/cli/message.h"
@@ -74,6 +75,75 @@ static void write_name(FILE *out, const char *name, const char *what)
         fprintf(out, "    NULL,\n");
 }
 
+/* The shading of all parts, or of each by a shading that asks for the part. */
+static void write_shading(FILE *out, const char *name, const struct measure *m)
+{
+    bool one = true;
+    for (size_t i = 1; i < m->parts; i++)
+        one = one && m->shading[i] == m->shading[0];
+    if (one) {
+        fprintf(out, "const struct pel_shading *const %s_shading =\n    &%s;\n",
+                name, measure_shading_name(m, m->shading[0]));
+        return;
+    }
+    fprintf(out,
+            "static const struct pel_shading *const %s_shadings[%zu] = {\n",
+            name, m->parts);
+    for (size_t i = 0; i < m->parts; i++)
+        fprintf(out, "    &%s,\n", measure_shading_name(m, m->shading[i]));
+    fprintf(out,
+            "};\n\n"
+            "static pel_color %s_vertex(const struct pel_frame *frame,\n"
+            "    uint32_t vertex, pel_color surface)\n"
+            "{\n"
+            "    const struct pel_shading *s = %s_shadings[frame->part];\n"
+            "    return s->vertex ? s->vertex(frame, vertex, surface) : "
+            "surface;\n"
+            "}\n\n",
+            name, name);
+    fprintf(out,
+            "static const struct pel_paint *%s_paint(struct pel_frame *frame,\n"
+            "    const struct pel_color_paint *surface)\n"
+            "{\n"
+            "    return %s_shadings[frame->part]->paint(frame, surface);\n"
+            "}\n\n"
+            "static const struct pel_shading %s_of_part = {\n"
+            "    %s, %s_vertex, %s_paint};\n"
+            "const struct pel_shading *const %s_shading = &%s_of_part;\n",
+            name, name, name, m->lit ? "pel_frame_start_light" : "NULL", name,
+            name, name, name);
+}
+
+static void write_mappings(FILE *out, const char *name, const struct measure *m)
+{
+    fprintf(out, "const struct pel_mapping *const %s_mapping[%zu] = {\n", name,
+            m->textures);
+    for (size_t i = 0; i < m->textures; i++)
+        fprintf(out, "    &%s,\n", measure_mapping_name(m->mapping[i]));
+    fprintf(out, "};\nconst uint8_t %s_span[%zu] = {", name, m->textures);
+    for (size_t i = 0; i < m->textures; i++)
+        fprintf(out, "%s%d", i ? ", " : "",
+                measure_mapping_span(m->mapping[i]));
+    fprintf(out, "};\n");
+}
+
+/* What measuring found: with it firmware links the methods that it names. */
+static void write_measured(struct import_text *text)
+{
+    FILE *out = text->output.stream;
+    const struct measure *m = text->options->measure;
+    if (!m)
+        return;
+    fprintf(out,
+            "\n/* The cheapest that stayed within %g steps of 255 of what is "
+            "exact at every\n * pixel, in %d views of %d x %d px. Of other "
+            "views it says nothing. */\n",
+            m->tolerance, m->count, m->width, m->height);
+    write_shading(out, text->options->name, m);
+    if (m->textures)
+        write_mappings(out, text->options->name, m);
+}
+
 /* Initialisers in the order of the struct, so that C++ takes them too. */
 static void write_asset(struct import_text *text, const struct pel_mesh *m,
                         size_t images)
@@ -104,6 +174,7 @@ static void write_asset(struct import_text *text, const struct pel_mesh *m,
     write_name(out, name, parts_of(m) ? "parts" : NULL);
     write_name(out, name, images ? "images" : NULL);
     fprintf(out, "    %u,\n    %zu,\n};\n", parts_of(m), images);
+    write_measured(text);
 }
 
 /* A comment with the box of the mesh, for placing the camera, and the memory
@@ -134,6 +205,8 @@ bool import_mesh(const struct import_options *options,
                                 "has no texture: expected no --format");
     if (!import_text_open(&text, options, "mesh"))
         return false;
+    text.shading = options->measure != NULL;
+    text.mappings = text.shading ? (unsigned)options->measure->textures : 0;
     if (images && !write_textures(&text, model, format)) {
         output_abandon(&text.output);
         return false;
@@ -143,5 +216,7 @@ bool import_mesh(const struct import_options *options,
     const bool done = import_text_commit(&text);
     if (done)
         report_mesh(options, model, format);
+    if (done)
+        report_measure(options);
     return done;
 }

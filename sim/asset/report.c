@@ -7,6 +7,7 @@
 #include "core/asset/outline_font_asset.h"
 #include "core/format/argb8888.h"
 #include "core/base/surface.h"
+#include "sim/asset/measure.h"
 #include "sim/image/format_names.h"
 
 static bool is_silent(const struct import_options *options)
@@ -183,4 +184,37 @@ void report_mesh(const struct import_options *options,
     snprintf(what, sizeof(what), "bytes in flash: %zu vertices, %u triangles",
              n, m->triangles);
     put(all, what);
+}
+
+/* A line of the table: the errors of one part or texture, and the way taken. */
+static void put_errors(const char *what, size_t number, const int *error,
+                       int ways, const char *taken, int span)
+{
+    printf("%s %zu:", what, number);
+    for (int i = 0; i < ways; i++)
+        printf(error[0] < 0 ? " -" : " %d", error[i]);
+    printf(error[0] < 0 ? "; no view shows it: %s" : "; %s", taken);
+    printf(span > 1 ? ", span %d\n" : "\n", span);
+}
+
+void report_measure(const struct import_options *options)
+{
+    const struct measure *m = options->measure;
+    if (!m || is_silent(options))
+        return;
+    printf("errors in %d views of %d x %d px, steps of 255; %g are asked\n",
+           m->count, m->width, m->height, m->tolerance);
+    if (m->textures)
+        printf("textures: of vertices, affine, divided every 64 32 16 8 4 2 1 "
+               "pixels\n");
+    for (size_t i = 0; i < m->textures; i++)
+        put_errors("texture", i + 1, m->mapping_error[i], MEASURE_MAPPINGS,
+                   measure_mapping_name(m->mapping[i]),
+                   measure_mapping_span(m->mapping[i]));
+    printf("parts: flat, Gouraud, in perspective%s\n",
+           m->lit ? ", Phong, in perspective" : "");
+    for (size_t i = 0; i < m->parts; i++)
+        put_errors("part", i + 1, m->shading_error[i],
+                   m->lit ? MEASURE_SHADINGS : 3,
+                   measure_shading_name(m, m->shading[i]), 1);
 }

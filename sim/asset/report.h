@@ -18,6 +18,9 @@ void report_font(const struct import_options *options,
 void report_outlines(const struct import_options *options,
                      const struct pel_outline_font_asset *font);
 
+/* What was measured of a mesh: the errors of all ways, and what was taken. */
+void report_measure(const struct import_options *options);
+
 /* Of a mesh; with its textures, in that format, unless it is NULL. */
 void report_mesh(const struct import_options *options,
                  const struct model *model, const struct pel_format *format);

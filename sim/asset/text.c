@@ -36,6 +36,14 @@ static void print_declaration(FILE *out, const struct import_text *text)
         fprintf(out, "extern const struct pel_palette %s_palette;\n", name);
     if (text->alpha)
         fprintf(out, "extern const struct pel_image_asset %s_alpha;\n", name);
+    if (text->shading)
+        fprintf(out, "extern const struct pel_shading *const %s_shading;\n",
+                name);
+    if (text->mappings)
+        fprintf(out,
+                "extern const struct pel_mapping *const %s_mapping[%u];\n"
+                "extern const uint8_t %s_span[%u];\n",
+                name, text->mappings, name, text->mappings);
 }
 
 const char *import_name(const char *output, char name[IMPORT_NAME])
@@ -78,7 +86,8 @@ bool import_text_open(struct import_text *text,
 {
     text->options = options;
     text->kind = kind;
-    text->palette = text->alpha = false;
+    text->palette = text->alpha = text->shading = false;
+    text->mappings = 0;
     if (!output_open(&text->output, options->output))
         return false;
     print_origin(text->output.stream, options);

@@ -11,10 +11,12 @@ struct import_options;
 struct import_text {
     struct output output;
     const struct import_options *options;
-    const char *kind; /* "image": struct pel_image_asset */
-    bool palette;     /* of a picture: struct pel_palette, NAME_palette */
-    bool alpha;       /* of an image: another one, NAME_alpha */
-    int column;       /* of the line that is being written */
+    const char *kind;  /* "image": struct pel_image_asset */
+    bool palette;      /* of a picture: struct pel_palette, NAME_palette */
+    bool alpha;        /* of an image: another one, NAME_alpha */
+    bool shading;      /* of a mesh: struct pel_shading *, NAME_shading */
+    unsigned mappings; /* of its textures: NAME_mapping and NAME_span */
+    int column;        /* of the line that is being written */
 };
 
 enum { IMPORT_NAME = 128 }; /* bytes of a name */

@@ -2,8 +2,10 @@
  * draws it with core/scene in RGB565, and compares with the picture that pel
  * render drew of the mesh file, with the same numbers: they are equal.
  *
- *     import_draw EXPECTED.ppm flat|gouraud|phong
- */
+ *     import_draw EXPECTED.ppm flat|gouraud|phong|measured [STEPS]
+ *
+ * measured: with the shading and the mappings of pel import --view, to a number
+ * of steps of 255 that a channel may differ by. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,6 +14,11 @@
 #include "core/scene/pipeline.h"
 
 extern const struct pel_mesh_asset asset;
+#ifdef MEASURED
+extern const struct pel_shading *const asset_shading;
+extern const struct pel_mapping *const asset_mapping[];
+extern const uint8_t asset_span[];
+#endif
 
 enum { SIZE = 600 };
 
@@ -59,7 +66,12 @@ static bool set_textures(struct pel_scene *scene)
     scene->texture = asset.images ? texture : NULL;
     scene->textures = asset.images;
     for (uint32_t i = 0; i < asset.images; i++) {
+#ifdef MEASURED
+        texture[i].mapping = asset_mapping[i];
+        texture[i].span = asset_span[i];
+#else
         texture[i].mapping = &pel_map_affine;
+#endif
         texture[i].sampler = pel_texture_init_nearest;
         if (i == MOST ||
             pel_mesh_texture_of_image(&texture[i], &surface[i], &asset.image[i],
@@ -90,6 +102,9 @@ static void set_scene(struct pel_scene *scene, struct pel_mesh *mesh,
     scene->shading = shade[0] == 'f'   ? &pel_shade_flat
                      : shade[0] == 'g' ? &pel_shade_gouraud
                                        : &pel_shade_phong;
+#ifdef MEASURED
+    scene->shading = asset_shading;
+#endif
     if (shade[0] == 'p') {
         mesh->colors = NULL;
         mesh->parts = 0;
@@ -115,8 +130,9 @@ static enum pel_status draw(const struct pel_surface *surface,
     return status;
 }
 
-/* Pixels that differ, or -1. */
-static long count_wrong(const struct pel_surface *surface, const char *path)
+/* Channels of pixels that differ by more than `steps`, or -1. */
+static long count_wrong(const struct pel_surface *surface, const char *path,
+                        int steps)
 {
     long wrong = 0;
     static unsigned char rgb[SIZE * 3];
@@ -131,8 +147,9 @@ static long count_wrong(const struct pel_surface *surface, const char *path)
             return -1;
         surface->format->load(surface, 0, y, SIZE, color);
         for (int x = 0; x < SIZE; x++)
-            wrong +=
-                color[x] != PEL_RGB(rgb[3 * x], rgb[3 * x + 1], rgb[3 * x + 2]);
+            for (int k = 0; k < 3; k++)
+                wrong += abs((int)(color[x] >> (16 - 8 * k) & 255) -
+                             rgb[3 * x + k]) > steps;
     }
     fclose(file);
     return wrong;
@@ -163,16 +180,15 @@ static bool check_passes(void)
 int main(int argc, char **argv)
 {
     struct pel_surface surface;
-    if (argc != 3 || pel_mesh_asset_check(&asset) != PEL_OK ||
-        !check_passes() ||
+    if (argc < 3 || pel_mesh_asset_check(&asset) != PEL_OK || !check_passes() ||
         pel_surface_init(&surface, &pel_rgb565_le, memory, sizeof memory,
                          &(struct pel_rect){0, 0, SIZE, SIZE}) != PEL_OK ||
         draw(&surface, argv[2]) != PEL_OK) {
         fprintf(stderr, "the asset or the surface is refused\n");
         return 1;
     }
-    long wrong = count_wrong(&surface, argv[1]);
-    printf("%s %s: %ld of %d pixels differ\n", argv[1], argv[2], wrong,
+    long wrong = count_wrong(&surface, argv[1], argc > 3 ? atoi(argv[3]) : 0);
+    printf("%s %s: %ld channels of %d pixels differ\n", argv[1], argv[2], wrong,
            SIZE * SIZE);
     return wrong != 0;
 }
