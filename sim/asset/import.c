@@ -73,14 +73,6 @@ static bool parse_format(const char *option, const char *text, void *input)
                          option, text, format_list());
 }
 
-static bool parse_bits(const char *option, const char *text, void *input)
-{
-    struct import_command *c = input;
-    const int i = choice_find("1|2|4|8", text);
-    c->options.font.bits = 1 << i;
-    return i >= 0 || option_refuse(option, text, "1, 2, 4 or 8");
-}
-
 static const struct option_row output_options[] = {
     {"output", "FILE",
      "the asset: .c, with a .h beside it that declares it, or .pel2d for a "
@@ -93,48 +85,6 @@ static const struct option_row output_options[] = {
 static const struct option_row options[] = {
     {"name", "NAME", "of the C object (default: the output's base name)",
      OPTION_TEXT, .offset = offsetof(struct import_command, options.name)},
-    {.help = NULL},
-};
-
-static const struct option_row font_options[] = {
-    {.help = "Fonts:", .kind = OPTION_HEADING},
-    {"codes", "RANGES",
-     "these alone, numbers or characters: 32-126,0x20AC,\xC3\xA4; what the "
-     "font lacks of them is named, and an error outside of ranges",
-     OPTION_TEXT, .offset = offsetof(struct import_command, options.codes)},
-    {"chars", "TEXT",
-     "the characters of a text alone: \"\xC3\xA4 \xC3\xA9 "
-     "\xE2\x82\xAC\"; those that it lacks are an error. With --codes, both",
-     OPTION_TEXT, .offset = offsetof(struct import_command, options.chars)},
-    {"encoding", "NAME",
-     "of the font's codes: koi8-r, jisx0208.1983-0, CP437 and whatever iconv "
-     "knows; unicode: as they are (default: as the font says, CP437 of a .psf "
-     "without a table)",
-     OPTION_TEXT,
-     .offset = offsetof(struct import_command, options.font.encoding)},
-    {"bits", "N",
-     "of a glyph's pixel: 1; 2, 4 or 8 of coverage, smooth, of a font of "
-     "outlines (4; 1 of a font of pictures)",
-     OPTION_CALL, .parse = parse_bits},
-    {"next", "NAME",
-     "of the C object of another font, which is asked for the characters that "
-     "this one lacks",
-     OPTION_TEXT, .offset = offsetof(struct import_command, options.next)},
-    {"outline", NULL,
-     "the outlines themselves, for text of any size at any angle "
-     "(pel/image/outline_text.h)",
-     OPTION_FLAG,
-     .offset = offsetof(struct import_command, options.font.outline)},
-    {"hinting", "KIND",
-     "of outlines: none; light, which moves what is level to whole pixels; "
-     "full, stems too (auto: light, or full of 1 bit)",
-     OPTION_CHOICE,
-     .offset = offsetof(struct import_command, options.font.hinting),
-     .expected = "auto|none|light|full", .n = sizeof(enum font_hinting)},
-    {"font-size", "PX", "from line to line, of a font of outlines (16)",
-     OPTION_INTEGER,
-     .offset = offsetof(struct import_command, options.font.size), .low = 1,
-     .high = FONT_SIZE_MAX},
     {.help = NULL},
 };
 
@@ -196,8 +146,7 @@ static const struct use {
     {"name", IMPORT_MESH | IMPORT_PICTURE | IMPORT_FONT, "C assets"},
     {"format", IMPORT_PICTURE | IMPORT_MESH, "pictures and textures"},
     {"normals|view", IMPORT_MESH, "C assets of meshes"},
-    {"codes|chars|encoding|font-size|bits|hinting|next|outline", IMPORT_FONT,
-     "fonts"},
+    {IMPORT_FONT_OPTIONS, IMPORT_FONT, "fonts"},
     {"texture-file|normals-from|crease", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
     {"shade|transparency|order|cull|mapping|span|texel-tolerance", 0,
      "pel render"},
@@ -384,7 +333,7 @@ int command_import(int argc, char **argv)
         .about = about,
         .tables = {{output_options, &c, NULL},
                    {options, &c, &c.scene.given},
-                   {font_options, &c, &c.scene.given},
+                   {import_font_options, &c.options, &c.scene.given},
                    {picture_options, &c, &c.scene.given},
                    {import_change_options, &c.options.changes, &c.scene.given},
                    {mesh_options, &c, &c.scene.given},

@@ -56,6 +56,11 @@ struct import_options {
 extern const struct option_row import_change_options[];
 #define IMPORT_CHANGE_OPTIONS "key|resize|palette|dither|alpha|compress"
 
+/* Those of a font: codes, chars, next and struct font_options. */
+extern const struct option_row import_font_options[];
+#define IMPORT_FONT_OPTIONS \
+    "codes|chars|encoding|font-size|bits|hinting|next|outline"
+
 /* Write a C file with one const struct and its arrays, and its header beside
  * it, the same for the same input: no date, no path. The textures of a mesh are
  * written in that format, or in pel_argb8888 where they have alpha; not at all
