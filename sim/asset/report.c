@@ -186,15 +186,28 @@ void report_mesh(const struct import_options *options,
     put(all, what);
 }
 
-/* A line of the table: the errors of one part or texture, and the way taken. */
+/* The errors of all ways of one part or texture; the line goes on. */
 static void put_errors(const char *what, size_t number, const int *error,
-                       int ways, const char *taken, int span)
+                       int ways)
 {
     printf("%s %zu:", what, number);
-    for (int i = 0; i < ways; i++)
-        printf(error[0] < 0 ? " -" : " %d", error[i]);
-    printf(error[0] < 0 ? "; no view shows it: %s" : "; %s", taken);
-    printf(span > 1 ? ", span %d\n" : "\n", span);
+    if (error[0] < 0)
+        printf(" no view shows it");
+    for (int i = 0; i < ways && error[0] >= 0; i++)
+        printf(" %d", error[i]);
+    printf("; ");
+}
+
+static void report_mappings(const struct measure *m)
+{
+    printf("textures: of vertices, affine, divided every 64 32 16 8 4 2 1 "
+           "pixels\n");
+    for (size_t i = 0; i < m->textures; i++) {
+        const int taken = m->mapping[i];
+        put_errors("texture", i + 1, m->mapping_error[i], MEASURE_MAPPINGS);
+        printf("%s, span %d\n", measure_mapping_name(taken),
+               measure_mapping_span(taken));
+    }
 }
 
 void report_measure(const struct import_options *options)
@@ -205,16 +218,12 @@ void report_measure(const struct import_options *options)
     printf("errors in %d views of %d x %d px, steps of 255; %g are asked\n",
            m->count, m->width, m->height, m->tolerance);
     if (m->textures)
-        printf("textures: of vertices, affine, divided every 64 32 16 8 4 2 1 "
-               "pixels\n");
-    for (size_t i = 0; i < m->textures; i++)
-        put_errors("texture", i + 1, m->mapping_error[i], MEASURE_MAPPINGS,
-                   measure_mapping_name(m->mapping[i]),
-                   measure_mapping_span(m->mapping[i]));
+        report_mappings(m);
     printf("parts: flat, Gouraud, in perspective%s\n",
            m->lit ? ", Phong, in perspective" : "");
-    for (size_t i = 0; i < m->parts; i++)
+    for (size_t i = 0; i < m->parts; i++) {
         put_errors("part", i + 1, m->shading_error[i],
-                   m->lit ? MEASURE_SHADINGS : 3,
-                   measure_shading_name(m, m->shading[i]), 1);
+                   m->lit ? MEASURE_SHADINGS : 3);
+        printf("%s\n", measure_shading_name(m, m->shading[i]));
+    }
 }
