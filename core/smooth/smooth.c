@@ -1,31 +1,34 @@
-#include "smooth.h"
+#include "smooth_layer.h"
 
-#include "smooth_565.h"
+#include "../format/word.h"
 
-/* Colors that are weighed at a time. */
-enum { COLORS = PEL_64BIT ? 64 : PEL_SMALL_CODE ? 4 : 8 };
-
-/* A surface before the surface: its pixels are the colors of a paint, as they
- * are. What is not painted has alpha 0. */
-static pel_color *color_at(const struct pel_surface *s, int32_t x)
+static pel_color *color_at(const struct pel_surface *s, int32_t x, int32_t y)
 {
-    return (pel_color *)s->pixels + (x - s->bounds.x0);
+    if (PEL_SMOOTH_TINY) /* there is one row */
+        return (pel_color *)s->pixels + (x - s->bounds.x0);
+    return (void *)pel_address(s, x, y, 4);
 }
 
 static void put(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
                 const pel_color *colors)
 {
-    (void)y;
-    for (pel_color *at = color_at(s, x); n > 0; n--)
+    for (pel_color *at = color_at(s, x, y); n > 0; n--)
         *at++ = *colors++;
 }
 
+/* Many spans of a gradient's cell have no pixel. */
 static void fill(const struct pel_spans *spans, pel_color color)
 {
     const struct pel_span *span = spans->span;
-    for (; span < spans->span + spans->n; span++)
-        for (int32_t x = span->x0; x < span->x1; x++)
-            *color_at(spans->surface, x) = color;
+    int32_t y = spans->y;
+    for (; span < spans->span + spans->n; span++, y += spans->step) {
+        int32_t x = span->x0;
+        if (!PEL_SMOOTH_TINY && x >= span->x1)
+            continue;
+        pel_color *at = color_at(spans->surface, x, y);
+        for (; x < span->x1; x++)
+            *at++ = color;
+    }
 }
 
 static void load(const struct pel_surface *surface, int32_t x, int32_t y,
@@ -41,15 +44,44 @@ static pel_color same(uint32_t color)
     return color;
 }
 
-static const struct pel_format color_format = {.id = PEL_SMOOTH_FORMAT,
-                                               .bits = 32,
-                                               .word = 4,
-                                               .pack = same,
-                                               .unpack = same,
-                                               .fill = fill,
-                                               .blend = fill,
-                                               .put = put,
-                                               .load = load};
+/* The colors of a walk through a gradient. */
+static bool put_walk(const struct pel_surface *surface, int32_t x, int32_t y,
+                     int32_t n, const struct pel_walk *walk)
+{
+    pel_color *at = color_at(surface, x, y), *const end = at + n;
+    uint32_t high = walk->mix.high, low = walk->mix.low;
+    int32_t error = walk->error, rest = walk->rest;
+    const int32_t step = walk->step;
+    do {
+        const pel_color color =
+            (high & UINT32_C(0xFF00FF00)) | (low >> 8 & UINT32_C(0x00FF00FF));
+        for (; error < 0 && at < end; error += step)
+            *at++ = color;
+        error -= walk->cell;
+        rest -= walk->cell_rest;
+        if (rest < 0) {
+            rest += walk->unit;
+            error--;
+        }
+        high += walk->mix.high_change;
+        low += walk->mix.low_change;
+    } while (at < end);
+    return true;
+}
+
+static const struct pel_channels channels = {.walk = put_walk};
+
+const struct pel_format pel_smooth_colors = {
+    .id = PEL_SMOOTH_FORMAT,
+    .bits = 32,
+    .word = 4,
+    .pack = same,
+    .unpack = same,
+    .fill = fill,
+    .blend = fill,
+    .put = put,
+    .load = load,
+    .channels = PEL_SMOOTH_TINY ? NULL : &channels};
 
 bool pel_smooth_begin(struct pel_smooth *smooth,
                       const struct pel_surface *surface,
@@ -61,50 +93,33 @@ bool pel_smooth_begin(struct pel_smooth *smooth,
     return legal;
 }
 
+#if PEL_SMOOTH_TINY
+
+/* Colors that are weighed at a time. */
+enum { COLORS = PEL_SMALL_CODE ? 4 : 8 };
+
 /* Into colors that are 0. */
 static void take_colors(const struct pel_smooth *smooth, int32_t x, int32_t y,
                         int32_t n, pel_color *colors)
 {
-    struct pel_smooth_surface buffer = {*smooth->target, smooth->target};
+    struct pel_smooth_surface buffer;
     const struct pel_span span = {x, x + n};
     const struct pel_spans spans = {&buffer.surface, &span, y, 1, 0};
-    buffer.surface.format = &color_format;
-    buffer.surface.pixels = colors;
-    buffer.surface.bounds = (struct pel_rect){x, y, x + n, y + 1};
+    pel_smooth_buffer_set(&buffer, smooth->target, span, y, colors);
     smooth->paint->fill(smooth->paint, &spans);
-}
-
-/* The paint, if it is one color; or NULL. */
-static const struct pel_flat *flat_of(const struct pel_paint *paint)
-{
-    return paint->fill == pel_flat_fill ? (const void *)paint : NULL;
-}
-
-/* Sets alpha = round(alpha coverage / 255). */
-static inline void weigh(pel_color *colors, int32_t n, const uint8_t *coverage)
-{
-    for (; n > 0; n--, colors++)
-        *colors = (*colors & UINT32_C(0xFFFFFF)) |
-                  pel_round_div255(pel_alpha(*colors) * *coverage++) << 24;
-}
-
-static void set_colors(pel_color *colors, int32_t n, pel_color color)
-{
-    for (; n > 0; n--)
-        *colors++ = color;
 }
 
 /* At most as many pixels as the buffer has. */
 static void paint_part(const struct pel_smooth *smooth, int32_t x, int32_t y,
                        int32_t n, const uint8_t *coverage)
 {
-    const struct pel_flat *const flat = flat_of(smooth->paint);
+    const struct pel_flat *const flat = pel_smooth_flat(smooth);
     const struct pel_surface *const target = smooth->target;
     pel_color colors[COLORS];
-    set_colors(colors, n, flat ? flat->color : 0);
+    pel_smooth_set_colors(colors, n, flat ? flat->color : 0);
     if (!flat)
         take_colors(smooth, x, y, n, colors);
-    weigh(colors, n, coverage);
+    pel_smooth_weigh(colors, n, coverage);
     if (target->format)
         target->format->put(target, x, y, n, colors);
 }
@@ -124,97 +139,16 @@ static PEL_NOINLINE_32 void paint_run(const struct pel_smooth *smooth,
     }
 }
 
-static bool has_pixels(const struct pel_span *span, int32_t n)
-{
-    while (n > 0 && span->x0 >= span->x1) {
-        span++;
-        n--;
-    }
-    return n > 0;
-}
-
-/* The full pixels of n rows. */
-static PEL_NOINLINE_32 void paint_full(const struct pel_smooth *smooth,
-                                       int32_t y, int32_t n,
-                                       const struct pel_span *full)
-{
-    const struct pel_spans spans = {smooth->target, full, y, n, 1};
-    if (has_pixels(full, n))
-        smooth->paint->fill(smooth->paint, &spans);
-}
-
-#if !PEL_SMOOTH_TINY
-static void paint_runs(const struct pel_smooth *smooth,
-                       const struct pel_smooth_runs *runs)
-{
-    const struct pel_flat *const flat = flat_of(smooth->paint);
-    const uint8_t *coverage = runs->coverage;
-    int32_t y = runs->y;
-    if (flat && pel_smooth_is_565(smooth->target)) {
-        pel_smooth_mix_565(smooth->target, runs, flat->color);
-        return;
-    }
-    for (int32_t i = 0; i < 2 * runs->n; i++) {
-        const int32_t n = runs->count[i];
-        paint_run(smooth, runs->x[i] - (i & 1 ? 0 : n), y, n, coverage);
-        coverage += n;
-        y += i & 1 ? runs->step : 0;
-    }
-}
-
-static void paint_bytes(const struct pel_smooth *smooth,
-                        const struct pel_smooth_batch *b, int32_t y,
-                        int32_t step)
-{
-    const struct pel_smooth_runs runs = {y,       step,     b->n,
-                                         b->at.x, b->count, b->coverage};
-    paint_runs(smooth, &runs);
-}
-
-void pel_smooth_paint_batch(const struct pel_smooth *smooth,
-                            const struct pel_smooth_batch *b)
-{
-    paint_full(smooth, b->y, b->n, b->at.full);
-    paint_bytes(smooth, b, b->y, 1);
-}
-
-static void turn_over(struct pel_span *span, int32_t n)
-{
-    for (int32_t i = 0; i < --n; i++) {
-        const struct pel_span other = span[i];
-        span[i] = span[n];
-        span[n] = other;
-    }
-}
-
-void pel_smooth_paint_upwards(const struct pel_smooth *smooth,
-                              struct pel_smooth_batch *b, int32_t y)
-{
-    turn_over(b->at.full, b->n);
-    paint_full(smooth, y - b->n + 1, b->n, b->at.full);
-    turn_over(b->at.full, b->n);
-    paint_bytes(smooth, b, y, -1);
-}
-#endif
-
 void pel_smooth_paint(const struct pel_smooth *smooth,
                       const struct pel_smooth_row *row)
 {
     const int32_t full = row->x + row->left, end = full + row->full;
     const struct pel_span span = {full, end};
-    paint_full(smooth, row->y, 1, &span);
-#if PEL_SMOOTH_TINY
+    pel_smooth_paint_full(smooth, row->y, 1, &span);
     paint_run(smooth, row->x, row->y, row->left, row->coverage);
     paint_run(smooth, end, row->y, row->right, row->coverage + row->left);
-#else
-    const uint8_t count[2] = {(uint8_t)row->left, (uint8_t)row->right};
-    const struct pel_smooth_runs runs = {row->y,   1,     1,
-                                         &span.x0, count, row->coverage};
-    paint_runs(smooth, &runs);
-#endif
 }
 
-#if PEL_SMOOTH_TINY
 void pel_smooth_paint_batch(const struct pel_smooth *smooth,
                             const struct pel_smooth_batch *b)
 {
@@ -225,6 +159,7 @@ void pel_smooth_paint_batch(const struct pel_smooth *smooth,
     if (b->n > 0)
         pel_smooth_paint(smooth, &row);
 }
+
 #endif
 
 void pel_smooth_clip_batch(struct pel_smooth_batch *b,
@@ -233,13 +168,13 @@ void pel_smooth_clip_batch(struct pel_smooth_batch *b,
     const uint8_t *from = b->coverage;
     uint8_t *to = b->coverage;
     for (int32_t i = 0; i < 2 * b->n; i++) {
-        int32_t n = b->count[i], x = b->at.x[i] - (i & 1 ? 0 : n);
-        b->count[i] = 0;
+        const int32_t n = b->count[i];
+        const int32_t end = b->at.x[i] + (i & 1 ? n : 0);
+        const uint8_t *const kept = to;
         b->at.x[i] = pel_max(clip->x0, pel_min(b->at.x[i], clip->x1));
-        for (; n > 0; n--, x++, from++)
-            if (x >= clip->x0 && x < clip->x1) {
+        for (int32_t x = end - n; x < end; x++, from++)
+            if (x >= clip->x0 && x < clip->x1)
                 *to++ = *from;
-                b->count[i]++;
-            }
+        b->count[i] = (uint8_t)(to - kept);
     }
 }

@@ -21,9 +21,9 @@
  *
  * The rest of this header is for those who write a smooth shape. It hands over
  * its rows. Full pixels go to the paint on the real surface, with all that is
- * fast there; the colors of the others go into a short buffer, a surface before
- * the surface, are weighed there and put into the real one. Paints and formats
- * know nothing of coverage. */
+ * fast there; the colors of the others, of some rows at once, go into a short
+ * buffer, a surface before the surface, are weighed there and put into the real
+ * one. Paints and formats know nothing of coverage. */
 #ifndef PEL_SMOOTH_SMOOTH_H
 #define PEL_SMOOTH_SMOOTH_H
 

@@ -19,6 +19,9 @@ static const struct pel_paint *make_paint(struct random *r)
     static union any_paint paint;
     static pel_color colors[16];
     static const struct pel_ramp ramp = {colors, 3, PEL_REFLECT};
+    static const struct pel_point corners[3] = {PEL_AT(60, 5), PEL_AT(40, 70),
+                                                PEL_AT(5, 9)};
+    static struct pel_fan_triangle memory[3];
     static const struct pel_texels texels = {NULL, colors, 4, 4, false};
     static const struct pel_texture_map map = PEL_TEXTURE_AT(3, 4);
     const struct pel_point from = {random_between(r, 0, 9999), PEL_PX(5)},
@@ -28,7 +31,11 @@ static const struct pel_paint *make_paint(struct random *r)
         colors[i] = random_word(r) | solid;
     const struct pel_checker_fields fields = {3, 2, 1, 0};
     const struct pel_hatch_lines lines = {1, -1, 2, 5, 2};
-    switch (random_word(r) % 8) {
+    const struct pel_ramp mixed = {colors, 2, (enum pel_spread)(from.x % 3)};
+    const struct pel_rings rings = {to, 256 + from.x, 77};
+    const struct pel_fan_points fan = {PEL_AT(35, 30), colors[3], corners,
+                                       colors, 3};
+    switch (random_word(r) % 12) {
     case 0:
         pel_linear_init(&paint.linear, from, to, &ramp);
         break;
@@ -46,6 +53,19 @@ static const struct pel_paint *make_paint(struct random *r)
         break;
     case 5:
         pel_hatch_init(&paint.hatch, &lines, colors[0], colors[1]);
+        break;
+    case 6:
+        pel_linear_init(&paint.linear, from, to, &mixed);
+        break;
+    case 7:
+        pel_linear_init(&paint.linear, from,
+                        (struct pel_point){from.x, 19999 - to.y}, &mixed);
+        break;
+    case 8:
+        pel_radial_init(&paint.radial, &rings, &mixed);
+        break;
+    case 9:
+        pel_fan_init(&paint.fan, &fan, memory);
         break;
     default:
         paint.flat = (struct pel_flat)PEL_FLAT(colors[0]);
@@ -91,31 +111,55 @@ static void draw_rows(struct random *r, const struct pel_smooth *smooth)
     }
 }
 
+/* Paints a batch whose first row is y, or its last one; what is there then must
+ * be as it was. */
+static void paint_batch(const struct pel_smooth *smooth,
+                        struct pel_smooth_batch *b, bool upwards)
+{
+#if PEL_SMOOTH_TINY
+    assert_true(b->n == 1);
+    (void)upwards;
+#else
+    const struct pel_smooth_batch before = *b;
+    if (upwards) {
+        pel_smooth_paint_upwards(smooth, b, b->y + b->n - 1);
+        assert_memory_equal(b, &before, sizeof before);
+        return;
+    }
+#endif
+    pel_smooth_paint_batch(smooth, b);
+}
+
 /* Fills a batch of n rows from y on, some of them outside of the clip's
  * columns, and paints what is inside. */
 static void draw_batch(struct random *r, const struct pel_smooth *smooth,
                        int32_t y, int32_t n)
 {
+    const bool upwards = random_word(r) % 2, follows = random_word(r) % 4;
     const struct pel_rect *const all = &drawn.surface.bounds;
     struct pel_smooth_batch b = {.y = y, .n = n};
     uint8_t *coverage = b.coverage;
+    const int32_t full = random_word(r) % 2 ? 30 : 8;
     for (int32_t i = 0; i < n; i++) {
+        const int32_t row = upwards ? y + n - 1 - i : y + i;
         const int32_t most = PEL_SMOOTH_BATCH_BYTES / 2 / n;
         int32_t *const x = b.at.x + 2 * i;
         uint8_t *const count = b.count + 2 * i;
         count[0] = (uint8_t)random_between(r, 0, most);
         count[1] = (uint8_t)random_between(r, 0, most);
         x[0] = random_between(r, all->x0 - 9, all->x1 + 9);
-        x[1] = x[0] + pel_max(0, random_between(r, -9, 30));
+        if (i > 0 && follows)
+            x[0] = x[-2] + random_between(r, -5, 5);
+        x[1] = x[0] + pel_max(0, random_between(r, -9, full));
         for (int32_t k = 0; k < count[0] + count[1]; k++)
             coverage[k] = random_coverage(r);
-        mask_row(x[0] - count[0], y + i, count[0], coverage);
-        mask_row(x[0], y + i, x[1] - x[0], NULL);
-        mask_row(x[1], y + i, count[1], coverage + count[0]);
+        mask_row(x[0] - count[0], row, count[0], coverage);
+        mask_row(x[0], row, x[1] - x[0], NULL);
+        mask_row(x[1], row, count[1], coverage + count[0]);
         coverage += count[0] + count[1];
     }
     pel_smooth_clip_batch(&b, &drawn.surface.clip);
-    pel_smooth_paint_batch(smooth, &b);
+    paint_batch(smooth, &b, upwards);
 }
 
 static void draw_batches(struct random *r, const struct pel_smooth *smooth)
@@ -155,6 +199,53 @@ TEST(rows_are_a_mask)
             pel_masked_init(&masked, &mask, bounds.x0, bounds.y0, paint),
             PEL_OK);
         pel_box(&expected.surface, &bounds, &masked.base.paint);
+        canvas_check_same(&expected, &drawn);
+        canvas_check(&drawn);
+    }
+}
+
+/* Paints the pixels of the mask one by one. */
+static void draw_pixels(const struct pel_smooth *smooth)
+{
+    const struct pel_rect *const b = &expected.surface.bounds;
+    const struct pel_rect *const clip = &expected.surface.clip;
+    for (int32_t y = clip->y0; y < clip->y1; y++)
+        for (int32_t x = clip->x0; x < clip->x1; x++) {
+            const uint8_t *const a = &grey[(y - b->y0) * SIDE + x - b->x0];
+            const int32_t full = *a == 255;
+            const struct pel_smooth_row row = {y, x, !full, full, 0, a};
+            pel_smooth_paint(smooth, &row);
+        }
+}
+
+/* In paints that look at the surface, of which a mask is no source. */
+TEST(rows_are_their_pixels)
+{
+    for (struct cases c = cases_of(30000); cases_next(&c);) {
+        struct random *r = &c.random;
+        const struct pel_paint *const source = make_paint(r);
+        const struct pel_format *const format =
+            layouts[random_word(r) % LAYOUT_COUNT].format;
+        const struct pel_rect bounds = shape_bounds(r, SIDE, 9);
+        const unsigned style = random_word(r) % CANVAS_STYLES;
+        const struct pel_rect clip = shape_clip(r, &bounds);
+        const bool dithers = random_word(r) % 2;
+        struct pel_dither dither;
+        struct pel_blend blend;
+        struct pel_smooth smooth;
+        pel_dither_init(&dither, source);
+        pel_blend_init(&blend, source,
+                       (enum pel_blend_mode)(random_word(r) % 3));
+        canvas_open(&drawn, format, &bounds, style);
+        canvas_open(&expected, format, &bounds, style);
+        pel_surface_clip(&drawn.surface, &clip);
+        pel_surface_clip(&expected.surface, &clip);
+        memset(grey, 0, sizeof grey);
+        smooth.paint = dithers ? &dither.paint : &blend.paint;
+        assert_true(pel_smooth_begin(&smooth, &drawn.surface, smooth.paint));
+        draw_batches(r, &smooth);
+        assert_true(pel_smooth_begin(&smooth, &expected.surface, smooth.paint));
+        draw_pixels(&smooth);
         canvas_check_same(&expected, &drawn);
         canvas_check(&drawn);
     }

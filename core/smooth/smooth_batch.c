@@ -1,0 +1,300 @@
+/* Rows of coverage in a paint. It is asked for the colors of many rows at once:
+ * to begin takes longer than the few pixels of an edge. */
+#include "smooth_layer.h"
+
+#include "smooth_mix.h"
+
+#if !PEL_SMOOTH_TINY
+
+/* Colors that are weighed at a time, as many as a batch has and more; and full
+ * pixels of a row that are weighed with the others. */
+enum { COLORS = PEL_64BIT ? 128 : 64, NARROW = 8 };
+
+/* The pixels before the full ones, those behind them, or all. */
+enum part { LEFT, RIGHT, ALL };
+
+/* Rows whose colors come in one call. They begin `pitch` colors apart, and as
+ * many more as their columns do, so that each ends before the next one: edges
+ * go on from row to row, and little is left free between them. */
+struct rows {
+    int32_t n, pitch, step;
+    struct pel_smooth_row row[PEL_SMOOTH_BATCH_ROWS];
+    struct pel_span span[PEL_SMOOTH_BATCH_ROWS];
+    pel_color colors[COLORS];
+};
+
+/* Without the pixels of 0 at both ends. */
+static PEL_ALWAYS_INLINE void drop_zeros(struct pel_smooth_row *row)
+{
+    const uint8_t *coverage = row->coverage;
+    int32_t left = row->left, right = row->right;
+    for (; left > 0 && *coverage == 0; left--, row->x++)
+        coverage++;
+    for (; right > 0 && coverage[left + right - 1] == 0; right--)
+        ;
+    for (; row->full + right == 0 && left > 0 && coverage[left - 1] == 0;
+         left--)
+        ;
+    row->left = left;
+    row->right = right;
+    row->coverage = coverage;
+}
+
+/* A part of the first row. */
+static PEL_ALWAYS_INLINE void set_row(struct pel_smooth_row *row,
+                                      struct pel_span *span,
+                                      const struct pel_smooth_runs *runs,
+                                      enum part part)
+{
+    const int32_t left = runs->count[0], right = runs->count[1];
+    const int32_t x0 = runs->x[0], x1 = runs->x[1];
+    row->y = runs->y;
+    row->x = x0 - left;
+    row->left = left;
+    row->full = row->right = 0;
+    row->coverage = runs->coverage;
+    if (part == RIGHT) {
+        row->coverage += left;
+        row->x = x1;
+        row->left = right;
+    } else if (part == ALL && x0 < x1) {
+        row->full = x1 - x0;
+        row->right = right;
+    } else if (part == ALL) {
+        row->left = left + right;
+    }
+    drop_zeros(row);
+    span->x0 = row->x;
+    span->x1 = row->x + row->left + row->full + row->right;
+}
+
+static PEL_ALWAYS_INLINE void next_row(struct pel_smooth_runs *runs)
+{
+    runs->coverage += runs->count[0] + runs->count[1];
+    runs->count += 2;
+    runs->x += 2;
+    runs->y += runs->step;
+    runs->n--;
+}
+
+/* Takes a row, and more while there is room for their colors. */
+static PEL_ALWAYS_INLINE void take_rows(struct rows *r,
+                                        struct pel_smooth_runs *runs,
+                                        enum part part)
+{
+    struct pel_span *span = r->span;
+    struct pel_smooth_row *row = r->row;
+    int32_t n = 1, most = 0;
+    r->step = runs->step;
+    set_row(row, span, runs, part);
+    const int32_t x = span->x0;
+    for (next_row(runs); runs->n > 0; next_row(runs)) {
+        set_row(++row, ++span, runs, part);
+        const int32_t pitch = pel_max(most, span[-1].x1 - span->x0);
+        if (n * pitch + span->x1 - x > COLORS)
+            break;
+        most = pitch;
+        n++;
+    }
+    r->pitch = most;
+    r->n = n;
+}
+
+static void turn_over(struct pel_span *span, int32_t n)
+{
+    for (int32_t i = 0; i < --n; i++) {
+        const struct pel_span other = span[i];
+        span[i] = span[n];
+        span[n] = other;
+    }
+}
+
+static PEL_NOINLINE_32 void take_colors(const struct pel_smooth *smooth,
+                                        struct rows *r)
+{
+    const struct pel_span *const first = r->span;
+    const int32_t last = r->n - 1;
+    const int32_t y = r->row[0].y;
+    struct pel_smooth_surface buffer;
+    struct pel_spans spans = {&buffer.surface, first, y, r->n, 1};
+    pel_smooth_buffer_set(&buffer, smooth->target, *first, y, r->colors);
+    buffer.surface.stride = r->pitch * r->step * (int32_t)sizeof(pel_color);
+    pel_smooth_set_colors(r->colors,
+                          last * r->pitch + first[last].x1 - first->x0, 0);
+    if (r->step < 0) {
+        spans.y -= last;
+        turn_over(r->span, r->n);
+    }
+    smooth->paint->fill(smooth->paint, &spans);
+    if (r->step < 0)
+        turn_over(r->span, r->n);
+}
+
+static void put_row(const struct pel_surface *target,
+                    const struct pel_smooth_row *row, pel_color *colors)
+{
+    const int32_t behind = row->left + row->full, n = behind + row->right;
+    pel_smooth_weigh(colors, row->left, row->coverage);
+    pel_smooth_weigh(colors + behind, row->right, row->coverage + row->left);
+    if (n > 0)
+        target->format->put(target, row->x, row->y, n, colors);
+}
+
+static PEL_NOINLINE_32 void put_rows(const struct pel_surface *target,
+                                     struct rows *r)
+{
+    const bool quick = pel_smooth_mixes_colors(target);
+    const struct pel_smooth_row *row = r->row;
+    int32_t from = -row->x;
+    for (int32_t i = r->n; i > 0; i--, row++, from += r->pitch)
+        if (quick)
+            pel_smooth_mix_row(target, row, r->colors + (from + row->x));
+        else
+            put_row(target, row, r->colors + (from + row->x));
+}
+
+static PEL_ALWAYS_INLINE void paint_part(const struct pel_smooth *smooth,
+                                         struct pel_smooth_runs runs,
+                                         enum part part)
+{
+    struct rows r;
+    while (runs.n > 0) {
+        take_rows(&r, &runs, part);
+        if (!pel_smooth_has_pixels(r.span, r.n))
+            continue;
+        take_colors(smooth, &r);
+        if (smooth->target->format)
+            put_rows(smooth->target, &r);
+    }
+}
+
+static PEL_NOINLINE_32 void paint_left(const struct pel_smooth *smooth,
+                                       const struct pel_smooth_runs *runs)
+{
+    paint_part(smooth, *runs, LEFT);
+}
+
+static PEL_NOINLINE_32 void paint_right(const struct pel_smooth *smooth,
+                                        const struct pel_smooth_runs *runs)
+{
+    paint_part(smooth, *runs, RIGHT);
+}
+
+static PEL_NOINLINE_32 void paint_all(const struct pel_smooth *smooth,
+                                      const struct pel_smooth_runs *runs)
+{
+    paint_part(smooth, *runs, ALL);
+}
+
+/* Weighs the full pixels with the others, where they are few: a paint of many
+ * colors begins once, not three times. */
+static bool paint_narrow(const struct pel_smooth *smooth,
+                         const struct pel_smooth_runs *runs)
+{
+    for (int32_t i = 0; i < 2 * runs->n; i += 2)
+        if ((uint32_t)(runs->x[i + 1] - runs->x[i]) > NARROW ||
+            runs->count[i] + runs->count[i + 1] > COLORS - NARROW)
+            return false;
+    paint_all(smooth, runs);
+    return true;
+}
+
+static void put_flat(const struct pel_surface *target,
+                     const struct pel_smooth_runs *runs, pel_color color)
+{
+    const uint8_t *coverage = runs->coverage;
+    int32_t y = runs->y;
+    pel_color colors[COLORS];
+    for (int32_t i = 0; i < 2 * runs->n; i++) {
+        const int32_t n = runs->count[i];
+        const int32_t x = runs->x[i] - (i & 1 ? 0 : n);
+        for (int32_t k = 0; k < n; k++)
+            colors[k] = color;
+        pel_smooth_weigh(colors, n, coverage);
+        if (n > 0)
+            target->format->put(target, x, y, n, colors);
+        coverage += n;
+        y += i & 1 ? runs->step : 0;
+    }
+}
+
+static void paint_edges(const struct pel_smooth *smooth,
+                        const struct pel_smooth_runs *runs,
+                        const struct pel_flat *flat)
+{
+    if (!flat) {
+        paint_left(smooth, runs);
+        paint_right(smooth, runs);
+    } else if (pel_smooth_mixes(smooth->target)) {
+        pel_smooth_mix(smooth->target, runs, flat->color);
+    } else {
+        put_flat(smooth->target, runs, flat->color);
+    }
+}
+
+static struct pel_smooth_runs runs_of(const struct pel_smooth_batch *b,
+                                      int32_t y, int32_t step)
+{
+    return (struct pel_smooth_runs){y,       step,     b->n,
+                                    b->at.x, b->count, b->coverage};
+}
+
+void pel_smooth_paint_batch(const struct pel_smooth *smooth,
+                            const struct pel_smooth_batch *b)
+{
+    const struct pel_flat *const flat = pel_smooth_flat(smooth);
+    const struct pel_smooth_runs runs = runs_of(b, b->y, 1);
+    if (!flat && paint_narrow(smooth, &runs))
+        return;
+    pel_smooth_paint_full(smooth, b->y, b->n, b->at.full);
+    paint_edges(smooth, &runs, flat);
+}
+
+void pel_smooth_paint_upwards(const struct pel_smooth *smooth,
+                              struct pel_smooth_batch *b, int32_t y)
+{
+    const struct pel_flat *const flat = pel_smooth_flat(smooth);
+    const struct pel_smooth_runs runs = runs_of(b, y, -1);
+    if (!flat && paint_narrow(smooth, &runs))
+        return;
+    turn_over(b->at.full, b->n);
+    pel_smooth_paint_full(smooth, y - b->n + 1, b->n, b->at.full);
+    turn_over(b->at.full, b->n);
+    paint_edges(smooth, &runs, flat);
+}
+
+static void paint_row(const struct pel_smooth *smooth,
+                      const struct pel_smooth_row *row)
+{
+    const struct pel_flat *const flat = pel_smooth_flat(smooth);
+    const int32_t full = row->x + row->left;
+    const struct pel_span span = {full, full + row->full};
+    const uint8_t count[2] = {(uint8_t)row->left, (uint8_t)row->right};
+    const struct pel_smooth_runs runs = {row->y,   1,     1,
+                                         &span.x0, count, row->coverage};
+    if (!flat && paint_narrow(smooth, &runs))
+        return;
+    pel_smooth_paint_full(smooth, row->y, 1, &span);
+    paint_edges(smooth, &runs, flat);
+}
+
+/* Of a long run so many pixels at a time as there is room for their colors. */
+void pel_smooth_paint(const struct pel_smooth *smooth,
+                      const struct pel_smooth_row *row)
+{
+    struct pel_smooth_row part = *row;
+    int32_t left = row->left, full = row->full, right = row->right;
+    do {
+        part.left = pel_min(left, COLORS);
+        left -= part.left;
+        part.full = left > 0 ? 0 : full;
+        full -= part.full;
+        part.right = left > 0 ? 0 : pel_min(right, COLORS);
+        right -= part.right;
+        paint_row(smooth, &part);
+        part.x += part.left + part.full + part.right;
+        part.coverage += part.left + part.right;
+    } while (left + right > 0);
+}
+
+#endif

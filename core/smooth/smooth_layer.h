@@ -1,0 +1,67 @@
+/* The surface before the surface, for the files that paint rows of coverage. */
+#ifndef PEL_SMOOTH_SMOOTH_LAYER_H
+#define PEL_SMOOTH_SMOOTH_LAYER_H
+
+#include "smooth.h"
+
+/* The format of colors as they are. What is not painted has alpha 0. */
+extern const struct pel_format pel_smooth_colors;
+
+/* Sets a buffer for colors, the first of them that of the first pixel of a span
+ * in row y; the stride is the caller's to set, if there is more than a row. */
+static inline void pel_smooth_buffer_set(struct pel_smooth_surface *buffer,
+                                         const struct pel_surface *target,
+                                         struct pel_span span, int32_t y,
+                                         pel_color *colors)
+{
+    buffer->surface = *target;
+    buffer->target = target;
+    buffer->surface.format = &pel_smooth_colors;
+    buffer->surface.pixels = colors;
+    buffer->surface.bounds = (struct pel_rect){span.x0, y, span.x1, y + 1};
+}
+
+/* The paint, if it is one color; or NULL. */
+static inline const struct pel_flat *pel_smooth_flat(
+    const struct pel_smooth *smooth)
+{
+    const struct pel_paint *const paint = smooth->paint;
+    return paint->fill == pel_flat_fill ? (const void *)paint : NULL;
+}
+
+/* Sets alpha = round(alpha coverage / 255). */
+static inline void pel_smooth_weigh(pel_color *colors, int32_t n,
+                                    const uint8_t *coverage)
+{
+    for (; n > 0; n--, colors++)
+        *colors = (*colors & UINT32_C(0xFFFFFF)) |
+                  pel_round_div255(pel_alpha(*colors) * *coverage++) << 24;
+}
+
+static inline void pel_smooth_set_colors(pel_color *colors, int32_t n,
+                                         pel_color color)
+{
+    for (; n > 0; n--)
+        *colors++ = color;
+}
+
+static inline bool pel_smooth_has_pixels(const struct pel_span *span, int32_t n)
+{
+    while (n > 0 && span->x0 >= span->x1) {
+        span++;
+        n--;
+    }
+    return n > 0;
+}
+
+/* The full pixels of n rows. */
+static PEL_NOINLINE_32 PEL_UNUSED void pel_smooth_paint_full(
+    const struct pel_smooth *smooth, int32_t y, int32_t n,
+    const struct pel_span *full)
+{
+    const struct pel_spans spans = {smooth->target, full, y, n, 1};
+    if (pel_smooth_has_pixels(full, n))
+        smooth->paint->fill(smooth->paint, &spans);
+}
+
+#endif

@@ -1,0 +1,206 @@
+#include "smooth_mix.h"
+
+#include "../format/word.h"
+
+#if !PEL_SMOOTH_TINY
+
+/* What is mixed into pixels. */
+struct ink {
+    uint32_t red_blue, green, alpha;
+};
+
+/* Of 5-6-5 bits: red and blue in one word, of 16 bits each: products of both at
+ * once. Per channel 255 times the mix, rounded as pel_round_div255 does. */
+static PEL_ALWAYS_INLINE uint32_t mixed_565(uint32_t below, uint32_t weight,
+                                            uint32_t red_blue, uint32_t green)
+{
+    const uint32_t rest = 255 - weight;
+    uint32_t rb = (below & 31) | below >> 11 << 16, g = below << 21 >> 26;
+    rb = (rb << 3 | (rb >> 2 & 0x70007)) * rest;
+    g = (g << 2 | g >> 4) * rest;
+    rb += red_blue * weight + 0x800080;
+    g += green * weight + 0x80;
+    rb += rb >> 8 & 0xFF00FF;
+    g += g >> 8;
+    return rb >> 27 << 11 | g >> 10 << 5 | rb << 16 >> 27;
+}
+
+/* A pixel's value from memory, and back. */
+static PEL_ALWAYS_INLINE uint32_t in_order(uint32_t v, bool big)
+{
+    return big ? PEL_BE16(v) : PEL_LE16(v);
+}
+
+/* n pixels: where the coverage ends. */
+static PEL_ALWAYS_INLINE const uint8_t *mix_run(uintptr_t at,
+                                                const uint8_t *coverage,
+                                                int32_t n, struct ink ink,
+                                                bool big)
+{
+    pel_word16 *p = (pel_word16 *)at;
+    for (const uint8_t *const end = coverage + n; coverage < end; p++) {
+        uint32_t weight = *coverage++;
+        if (ink.alpha != 255)
+            weight = pel_round_div255(weight * ink.alpha);
+        *p = (pel_word16)in_order(
+            mixed_565(in_order(*p, big), weight, ink.red_blue, ink.green), big);
+    }
+    return coverage;
+}
+
+static PEL_ALWAYS_INLINE void mix_rows(const struct pel_surface *s,
+                                       const struct pel_smooth_runs *runs,
+                                       struct ink ink, bool big)
+{
+    const uint8_t *coverage = runs->coverage, *n = runs->count;
+    const int32_t pitch = s->stride * runs->step, *x = runs->x;
+    const int32_t *const last = x + 2 * runs->n;
+    uintptr_t line = pel_column_zero(s, runs->y, 2);
+    for (; x < last; x += 2, n += 2, line += (uintptr_t)(ptrdiff_t)pitch) {
+        coverage = mix_run(line + 2 * (uintptr_t)(x[0] - n[0]), coverage, n[0],
+                           ink, big);
+        coverage =
+            mix_run(line + 2 * (uintptr_t)x[1], coverage, n[1], ink, big);
+    }
+}
+
+/* The same in one loop. */
+static PEL_ALWAYS_INLINE void mix_runs(const struct pel_surface *s,
+                                       const struct pel_smooth_runs *runs,
+                                       struct ink ink, bool big)
+{
+    const uint8_t *coverage = runs->coverage;
+    uintptr_t line = pel_column_zero(s, runs->y, 2);
+    for (int32_t i = 0; i < 2 * runs->n; i++) {
+        const int32_t n = runs->count[i], back = i & 1 ? 0 : n;
+        coverage = mix_run(line + 2 * (uintptr_t)(runs->x[i] - back), coverage,
+                           n, ink, big);
+        if (i & 1)
+            line += (uintptr_t)(ptrdiff_t)(s->stride * runs->step);
+    }
+}
+
+static struct ink ink_of(pel_color color, const struct pel_format *format)
+{
+    struct ink ink = {color & UINT32_C(0xFF00FF), pel_green(color),
+                      pel_alpha(color)};
+    if (format->id == PEL_FORMAT_BGR565_LE)
+        ink.red_blue = pel_red(color) | pel_blue(color) << 16;
+    return ink;
+}
+
+/* Four bytes of a word, two at once. */
+static PEL_ALWAYS_INLINE uint32_t mixed_32(uint32_t below, uint32_t weight,
+                                           uint32_t even, uint32_t odd)
+{
+    const uint32_t m = UINT32_C(0xFF00FF), rest = 255 - weight;
+    even = (below & m) * rest + even * weight + 0x800080;
+    odd = (below >> 8 & m) * rest + odd * weight + 0x800080;
+    even += even >> 8 & m;
+    odd += odd >> 8 & m;
+    return (even >> 8 & m) | (odd & ~m);
+}
+
+/* A weight of 0 leaves the bits that are no color, others set them. */
+static PEL_NOINLINE void mix_words(const struct pel_surface *s,
+                                   const struct pel_smooth_runs *runs,
+                                   pel_color color)
+{
+    const uint32_t pixel = s->format->pack(color), unused = s->format->pack(0);
+    const uint32_t even = pixel & UINT32_C(0xFF00FF);
+    const uint32_t odd = pixel >> 8 & UINT32_C(0xFF00FF);
+    const uint32_t alpha = pel_alpha(color);
+    const uint8_t *coverage = runs->coverage;
+    uintptr_t line = pel_column_zero(s, runs->y, 4);
+    for (int32_t i = 0; i < 2 * runs->n; i++) {
+        const int32_t n = runs->count[i], back = i & 1 ? 0 : n;
+        pel_word32 *p =
+            (pel_word32 *)(line + 4 * (uintptr_t)(runs->x[i] - back));
+        for (const uint8_t *const end = coverage + n; coverage < end; p++) {
+            const uint32_t weight = pel_round_div255(*coverage++ * alpha);
+            if (weight > 0)
+                *p = mixed_32(*p, weight, even, odd) | unused;
+        }
+        if (i & 1)
+            line += (uintptr_t)(ptrdiff_t)(s->stride * runs->step);
+    }
+}
+
+static PEL_NOINLINE void mix_alpha(const struct pel_surface *s,
+                                   const struct pel_smooth_runs *runs,
+                                   pel_color color)
+{
+    mix_runs(s, runs, ink_of(color, s->format),
+             s->format->id == PEL_FORMAT_RGB565_BE);
+}
+
+void pel_smooth_mix(const struct pel_surface *s,
+                    const struct pel_smooth_runs *runs, pel_color color)
+{
+    const struct ink ink = ink_of(color, s->format);
+    if (s->format->bits == 32)
+        mix_words(s, runs, color);
+    else if (ink.alpha != 255)
+        mix_alpha(s, runs, color);
+    else if (s->format->id == PEL_FORMAT_RGB565_BE)
+        mix_rows(s, runs, ink, true);
+    else
+        mix_rows(s, runs, ink, false);
+}
+
+static PEL_ALWAYS_INLINE uint32_t weight_of(pel_color color, uint32_t coverage)
+{
+    return color >= UINT32_C(0xFF000000)
+               ? coverage
+               : pel_round_div255(pel_alpha(color) * coverage);
+}
+
+static PEL_ALWAYS_INLINE void mix_colors_565(const struct pel_surface *s,
+                                             const struct pel_smooth_row *row,
+                                             const pel_color *colors, bool big)
+{
+    const uint8_t *coverage = row->coverage;
+    pel_word16 *p = pel_address16(s, row->x, row->y);
+    int32_t left = row->left, full = row->full;
+    for (int32_t n = left + full + row->right; n > 0; n--, p++) {
+        const pel_color color = *colors++;
+        const bool is_full = left-- <= 0 && full-- > 0;
+        const uint32_t weight = weight_of(color, is_full ? 255 : *coverage++);
+        *p = (pel_word16)in_order(mixed_565(in_order(*p, big), weight,
+                                            color & UINT32_C(0xFF00FF),
+                                            pel_green(color)),
+                                  big);
+    }
+}
+
+static PEL_NOINLINE void mix_colors_32(const struct pel_surface *s,
+                                       const struct pel_smooth_row *row,
+                                       const pel_color *colors)
+{
+    const uint8_t *coverage = row->coverage;
+    pel_word32 *p = pel_address32(s, row->x, row->y);
+    int32_t left = row->left, full = row->full;
+    for (int32_t n = left + full + row->right; n > 0; n--, p++) {
+        const pel_color color = *colors++, m = UINT32_C(0xFF00FF);
+        const bool is_full = left-- <= 0 && full-- > 0;
+        const uint32_t weight = weight_of(color, is_full ? 255 : *coverage++);
+        const uint32_t pixel = PEL_LE32(*p);
+        if (weight > 0)
+            *p = PEL_LE32(mixed_32(pixel, weight, color & m, color >> 8 & m) |
+                          UINT32_C(0xFF000000));
+    }
+}
+
+void pel_smooth_mix_row(const struct pel_surface *s,
+                        const struct pel_smooth_row *row,
+                        const pel_color *colors)
+{
+    if (s->format->bits == 32)
+        mix_colors_32(s, row, colors);
+    else if (s->format->id == PEL_FORMAT_RGB565_BE)
+        mix_colors_565(s, row, colors, true);
+    else
+        mix_colors_565(s, row, colors, false);
+}
+
+#endif
