@@ -162,7 +162,8 @@ static struct pel_turned_memory memory_of(const struct pel_drm_buffer *b)
                                       .bits = s->format->bits};
 }
 
-/* The hidden buffer misses what has changed since it was shown. */
+/* The hidden buffer misses what has changed since it was shown, and differs in
+ * no more from the one that is shown. */
 static void copy_changes(struct pel_display_drm *drm)
 {
     const struct pel_turned_memory memory = memory_of(&drm->buffer[drm->back]);
@@ -170,6 +171,7 @@ static void copy_changes(struct pel_display_drm *drm)
     pel_turned_change(&drm->frame, &drm->last_change);
     if (is_turned(drm))
         pel_turned_copy(&drm->frame, &drm->frame.changed, &memory);
+    drm->area = pel_turned_place(&drm->frame, &drm->frame.changed);
     drm->last_change = now;
     pel_turned_forget(&drm->frame);
 }
@@ -188,9 +190,23 @@ static int show_and_announce(struct pel_display_drm *drm, uint32_t id)
         pel_turned_change(&drm->frame, &drm->last_change);
         return -1;
     }
-    drmModeDirtyFB(drm->fd, id, NULL, 0);
+    const struct pel_rect *const a = &drm->area;
+    drmModeClip clip = {(uint16_t)a->x0, (uint16_t)a->y0, (uint16_t)a->x1,
+                        (uint16_t)a->y1};
+    drmModeDirtyFB(drm->fd, id, &clip, drm->shown && !pel_rect_empty(a));
     drm->shown = true;
+    if (!drm->no_flips)
+        pel_drm_damage_find(&drm->damage, drm->fd, id);
     return 0;
+}
+
+/* Told of its damage, or not. */
+static int request_flip(struct pel_display_drm *drm, uint32_t id)
+{
+    if (pel_drm_damage_flip(&drm->damage, drm->fd, id, &drm->area, drm) == 0)
+        return 0;
+    return drmModePageFlip(drm->fd, drm->crtc, id, DRM_MODE_PAGE_FLIP_EVENT,
+                           drm);
 }
 
 static enum pel_status drm_flip(const struct pel_display *display)
@@ -199,8 +215,7 @@ static enum pel_status drm_flip(const struct pel_display *display)
     const uint32_t id = drm->buffer[drm->back].id;
     copy_changes(drm);
     if (drm->shown && !drm->no_flips) {
-        drm->flipping = drmModePageFlip(drm->fd, drm->crtc, id,
-                                        DRM_MODE_PAGE_FLIP_EVENT, drm) == 0;
+        drm->flipping = request_flip(drm, id) == 0;
         drm->no_flips = !drm->flipping;
     }
     if (!drm->flipping && show_and_announce(drm, id))

@@ -5,9 +5,12 @@
  * former picture comes back on close; after SIGKILL the kernel brings back its
  * console.
  *
+ * What was flushed for this flip and for the one before is told to devices
+ * that take it, as the part of the screen that is another one.
+ *
  * begin gives the hidden buffer, so all of its surfaces are two flips old.
- * Where the picture is turned it gives the one frame that is drawn upright, and
- * flip copies what was flushed for this flip and for the one before. */
+ * Where the picture is turned it gives the one frame that is drawn upright, of
+ * which flip copies that part. */
 #ifndef PEL_DRIVERS_DISPLAY_LINUX_DRM_H
 #define PEL_DRIVERS_DISPLAY_LINUX_DRM_H
 
@@ -15,6 +18,7 @@
 #include <xf86drmMode.h>
 
 #include "display.h"
+#include "display_linux_drm_damage.h"
 #include "display_linux_turned.h"
 #include "linux_message.h"
 
@@ -35,11 +39,13 @@ struct pel_display_drm {
     const struct pel_format *format;
     struct pel_drm_buffer buffer[2];
     int32_t back;
-    struct pel_turned frame;     /* upright; only where it is turned */
+    struct pel_turned frame;     /* upright; pixels only where it is turned */
     struct pel_rect last_change; /* of it, for the flip before */
-    bool shown;                  /* the output shows a buffer of ours */
-    bool no_flips;               /* the device has no page flips */
-    bool flipping;               /* a flip was requested and has not happened */
+    struct pel_rect area;        /* of the screen: what the flip changes */
+    struct pel_drm_damage damage;
+    bool shown;    /* the output shows a buffer of ours */
+    bool no_flips; /* the device has no page flips */
+    bool flipping; /* a flip was requested and has not happened */
     struct pel_message *message;
 };
 

@@ -3,7 +3,7 @@
 file(GLOB PEL_LINUX ${PEL_DEPENDS} ${PEL_DIR}/drivers/*linux*.c
   ${PEL_DIR}/port/linux/*.c)
 list(FILTER PEL_LINUX EXCLUDE REGEX
-  "/(display_linux_drm|evdev|evdev_none|gpio|gpio_[a-z0-9]+)\\.c$")
+  "/(display_linux_drm[a-z_]*|evdev|evdev_none|gpio|gpio_[a-z0-9]+)\\.c$")
 
 find_package(PkgConfig)
 foreach(package libdrm libevdev libgpiod)
@@ -15,7 +15,8 @@ foreach(package libdrm libevdev libgpiod)
 endforeach()
 
 if(PEL_libdrm_FOUND)
-  list(APPEND PEL_LINUX ${PEL_DIR}/drivers/display_linux_drm.c)
+  list(APPEND PEL_LINUX ${PEL_DIR}/drivers/display_linux_drm.c
+    ${PEL_DIR}/drivers/display_linux_drm_damage.c)
 endif()
 if(PEL_libevdev_FOUND)
   list(APPEND PEL_LINUX ${PEL_DIR}/port/linux/evdev.c)

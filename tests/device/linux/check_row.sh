@@ -154,15 +154,23 @@ do
     cp "$asset" "$share/scenes/"
 done
 for program in pel pel_no_restore pel_no_draw fb_mode console_state faults \
-    frames touch_device pel_gpiod2 faults_gpiod2 kiosk; do
+    frames damage touch_device pel_gpiod2 faults_gpiod2 kiosk; do
     ln "$build/guest/$program" "$share/$program" 2> /dev/null ||
         cp "$build/guest/$program" "$share/$program"
 done
-cp "$cache/panel_mock.ko" "$share/"
+cp "$cache/panel_mock.ko" "$cache/damage_clips.ko" "$share/"
 # The kiosk's picture in the middle of 640 x 480 pixels of its color.
 "$build/kiosk" | LC_ALL=C sed '1,6{/^# /d}' > "$share/kiosk.ppm"
 printf '%s\n' 'canvas 640 480 xrgb8888' 'clear #f2e8dc' \
     'image 80 80 kiosk.ppm' > "$share/kiosk.pel"
+# What a screen shows that is told of the damage of damage.c: first of the red
+# frame's, then of the blue one's with it.
+damage() { # NAME COLOR WIDTH HEIGHT
+    printf '%s\n' 'canvas 640 480 xrgb8888' 'clear #808080' "paint flat $2" \
+        "rect 40 30 $3 $4" > "$share/damage_$1.pel"
+}
+damage red "#ff0000" 100 40
+damage blue "#0000ff" 200 170
 echo "$row" > "$share/row"
 # tty1 is the controlling terminal, standard input and output the serial line.
 cat > "$share/run.sh" << 'END'

@@ -26,7 +26,30 @@ row_cirrus_16() {
     scenes=/mnt/reference.pel
     pictures drm rgb565_le 8 drm:/dev/dri/card0
     turned_pictures turned rgb565_le 8 fb:/dev/fb0
+    insmod /mnt/damage_clips.ko || fail "no module"
+    for angle in 0 90 180 270; do
+        damage
+    done
+    angle=0
     turned_pictures drm-turned rgb565_le 8 drm:/dev/dri/card0
+}
+
+# A screen that is told which part of it changes shows that part alone.
+damage() {
+    start /mnt/damage "drm:/dev/dri/card0,rotate=$angle"
+    wait_drawn || fail "damage: $(cat $log)"
+    size=$(sed -n 's/.* \([0-9]*\)x\([0-9]*\), rgb565_le.*/\1 \2/p' $log | head -n 1)
+    width=${size% *} height=${size#* }
+    echo "$row: $(cat $log)"
+    for scene in damage_red damage_blue; do
+        told="$row-$scene-$angle $scene rgb565_le $width $height 8 $angle"
+        echo "$told" >> /mnt/manifest
+        dump_expected "${told%% *}" picture "$told"
+        press spc
+    done
+    wait $pid
+    status=$?
+    [ $status = 0 ] || fail "damage: status $status: $(cat $log)"
 }
 
 row_cirrus_24() {
@@ -116,6 +139,7 @@ row_faults() {
 
 row_faults_drm() {
     . /mnt/guest_console.sh
+    insmod /mnt/damage_clips.ko || fail "no module"
     faults drm:/dev/dri/card0
 }
 

@@ -18,7 +18,7 @@ LINUX_JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 LINUX_TOOLS := $(addprefix $(LINUX_CHECK)/, layout panel_bus panel_paper console_reset \
                input_devices panel_check vm screen_check reference kiosk)
 LINUX_GUEST := $(addprefix $(LINUX_CHECK)/guest/, pel pel_no_restore \
-               pel_no_draw fb_mode console_state faults frames \
+               pel_no_draw fb_mode console_state faults frames damage \
                touch_device pel_gpiod2 faults_gpiod2 kiosk)
 LINUX_STATIC := $(LINUX_CHECK)/static
 LINUX_CFLAGS = -std=gnu99 $(WARNINGS) $(WERROR) -O2 -I. -Iinclude
@@ -140,6 +140,11 @@ $(LINUX_CHECK)/guest/frames: $(LINUX_HERE)/frames.c linux-static
 	    -Wl,--wrap=ioctl $< $(LINUX_STATIC_OBJECTS) \
 	    $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -o $@
 
+$(LINUX_CHECK)/guest/damage: $(LINUX_HERE)/damage.c linux-static
+	@mkdir -p $(@D)
+	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) $(LINUX_STATIC_FLAGS) $< \
+	    $(LINUX_STATIC_OBJECTS) $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -o $@
+
 $(LINUX_CHECK)/guest/faults: $(LINUX_HERE)/faults.c \
     $(LINUX_HERE)/fault_calls.c linux-static
 	@mkdir -p $(@D)
@@ -150,7 +155,7 @@ $(LINUX_CHECK)/guest/faults: $(LINUX_HERE)/faults.c \
 
 linux-image:
 	@$(LINUX_HERE)/vm_image.sh $(LINUX_CACHE)
-	@$(LINUX_HERE)/vm_panel_mock.sh $(LINUX_CACHE)
+	@$(LINUX_HERE)/vm_modules.sh $(LINUX_CACHE)
 
 check-linux: all $(LINUX_TOOLS) $(LINUX_GUEST)
 check-linux: linux-image ## fbdev, DRM, consoles and panels on a real kernel in QEMU
