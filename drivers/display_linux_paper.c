@@ -60,6 +60,12 @@ bool pel_display_paper_find(struct pel_display_panel *panel,
     return true;
 }
 
+/* For all but a full refresh. */
+static bool needs_waveform(const struct pel_epaper_chip *chip)
+{
+    return chip == &pel_epaper_il3897 || chip == &pel_epaper_uc8151;
+}
+
 int pel_display_paper_open(struct pel_display_panel *panel,
                            const struct pel_panel_request *r,
                            struct pel_message *message)
@@ -76,6 +82,11 @@ int pel_display_paper_open(struct pel_display_panel *panel,
     if (r->partial && panel->paper.format->bits > 1)
         return pel_message_set(message, EINVAL,
                                "panel: partial is for black and white");
+    if (r->partial && needs_waveform(panel->paper.chip))
+        return pel_message_set(message, EINVAL,
+                               "panel: partial: the chip '%.60s' needs its "
+                               "maker's waveform for that",
+                               r->chip);
     return pel_bus_line_open(&panel->busy, r->busy, PEL_GPIO_FLOATING, message);
 }
 

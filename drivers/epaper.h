@@ -50,15 +50,17 @@ struct pel_epaper {
     uint16_t width, height; /* px of the glass in rotation 0 */
     uint8_t rotation;       /* of the picture: quarter turns clockwise, mod 4 */
     uint8_t refresh;        /* enum pel_epaper_refresh, of the next flip */
-    uint8_t state;          /* this, and what follows, is the driver's */
-    const struct pel_epaper_kind *kind;
-    int32_t size; /* bytes of a plane */
+    uint8_t state;          /* the driver's */
 
     /* Sent before FAST and PARTIAL, and before FULL of greys and color; or
      * NULL: the maker's waveform where the chip has none. A list of commands,
      * for each its number of bytes up to 253, the command itself among them,
      * and the bytes; 0 ends the list. */
     const uint8_t *waveform;
+
+    /* The driver's. */
+    const struct pel_epaper_kind *kind;
+    int32_t size; /* bytes of a plane */
 };
 
 #define PEL_EPAPER_FRAME(width, height) (((width) + 7) / 8 * (height))

@@ -1,7 +1,9 @@
 #include "panel_chip.h"
 
 /* Most of these registers are not in the data sheet: they are the values that
- * the maker gives to those who build modules. */
+ * the maker gives to those who build modules. So none may be left out, and no
+ * packing brings this chip to the 900 bytes of others: the driver takes 810
+ * without the list, whose parameters alone are 134. */
 static const uint8_t setup[] = {
     /* clang-format off */
     1 | PEL_PANEL_PAUSE, 0x01, /* reset, where no line does it */

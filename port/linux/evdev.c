@@ -52,7 +52,7 @@ static int16_t within(int64_t px, int size)
     return (int16_t)(px < 0 ? 0 : px < size ? px : size - 1);
 }
 
-/* A value of an axis in pixels. */
+/* The pixel that the middle of a unit of an axis is in. */
 static int16_t pixel_of(const struct pel_evdev *evdev, unsigned axis, int value,
                         int size)
 {
@@ -61,8 +61,8 @@ static int16_t pixel_of(const struct pel_evdev *evdev, unsigned axis, int value,
     if (!info)
         return 0;
     const int64_t range = (int64_t)info->maximum - info->minimum;
-    const int64_t at = (int64_t)value - info->minimum;
-    return within(range > 0 ? at * size / (range + 1) : 0, size);
+    const int64_t at = 2 * ((int64_t)value - info->minimum) + 1;
+    return within(range > 0 ? at * size / (2 * range + 2) : 0, size);
 }
 
 /* The middle of its unit, 0..1. */

@@ -159,11 +159,12 @@ int __wrap_pel_gpio_descriptors(const struct pel_gpio *gpio,
 
 static struct pel_input_linux input;
 static char told[2000];
+static int side = MOST + 1; /* px */
 
 static void open_input(const struct device *d, const char *buttons, int fails)
 {
     const struct pel_input_linux_options options = {
-        .buttons = buttons, .width = MOST + 1, .height = MOST + 1};
+        .buttons = buttons, .width = side, .height = side};
     device = d;
     fail_watch = fails;
     const int error = pel_input_linux_open(&input, &options);
@@ -237,6 +238,27 @@ TEST(places_by_a_matrix)
                      rows[i].told);
         pel_input_linux_close(&input);
     }
+    unsetenv("PEL_TOUCH");
+}
+
+/* A unit of the glass is several pixels: its middle, by a matrix or not. */
+TEST(units_larger_than_pixels)
+{
+    static const struct device screen = {
+        "",
+        1 << INPUT_PROP_DIRECT,
+        {BTN_TOUCH, PLACES},
+        {{0}},
+        {CORNER, {EV_KEY, BTN_TOUCH, 1}, REPORT},
+        ""};
+    for (int i = 0; i < 2; i++) {
+        setenv("PEL_TOUCH", i ? "rotate=0" : "", 1);
+        side = 5 * (MOST + 1);
+        open_input(&screen, NULL, 0);
+        assert_string_equal(hear(), "here T0(2502,502)1 ");
+        pel_input_linux_close(&input);
+    }
+    side = MOST + 1;
     unsetenv("PEL_TOUCH");
 }
 

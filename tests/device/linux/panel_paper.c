@@ -136,6 +136,8 @@ TEST(paper_that_is_refused)
         {"ssd1680,spi=/dev/a,dc=GPIO25", "busy=LINE"},
         {"ssd1680,spi=/dev/a,dc=GPIO25,busy=GPIO24,inverted", "e-paper"},
         {"ssd1680_gray2,spi=/dev/a,dc=GPIO25,busy=GPIO24,partial", "black"},
+        {"il3897,spi=/dev/a,dc=GPIO25,busy=GPIO24,partial", "waveform"},
+        {"uc8151,spi=/dev/a,dc=GPIO25,busy=GPIO24,partial", "waveform"},
         {"ssd1680,spi=/dev/a,dc=GPIO25,busy=GPIO24,size=9999x9", "memory"},
         {"ssd1234,spi=/dev/a,dc=GPIO25", "uc8179_gray2"}};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
