@@ -32,6 +32,15 @@ static inline enum pel_status panel_open(struct pel_display *display,
     return PEL_OK;
 }
 
+static inline enum pel_status panel_scroll(const struct pel_display *display,
+                                           const struct pel_rect *area,
+                                           int32_t n)
+{
+    (void)display, (void)area, (void)n;
+    fprintf(stderr, "a framebuffer does not scroll by itself\n");
+    return PEL_ERROR_FORMAT;
+}
+
 /* Lets another terminal be shown, and waits a frame for what the user does. */
 static inline bool panel_input(struct pel_input *event)
 {

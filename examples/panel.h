@@ -1,8 +1,10 @@
 /* The panel of the examples: memory, whose driver copies what a DMA would send,
  * in time that does not count. It notes bytes and, in QEMU, instructions: of
  * the first frame, and the most of a later one. On a board a header of your own
- * takes its place, with the same three functions: panel_open sets up the pins
- * and calls pel_panel_init of drivers/panel.h, panel_close does nothing. */
+ * takes its place, with the same functions: panel_open sets up the pins and
+ * calls pel_panel_init of drivers/panel.h, panel_close does nothing. Where an
+ * example names it, panel_scroll is pel_panel_scroll_by, and panel_open then
+ * gives the display of pel_panel_scroll_init (drivers/panel_scroll.h). */
 #ifndef EXAMPLES_PANEL_H
 #define EXAMPLES_PANEL_H
 
@@ -16,7 +18,7 @@
 #include "ppm.h"
 
 #ifndef PANEL_WORDS
-#define PANEL_WORDS (320 * 240)
+#define PANEL_WORDS (480 * 320)
 #endif
 
 static uint16_t panel_memory[PANEL_WORDS];
@@ -78,6 +80,18 @@ static inline enum pel_status panel_open(struct pel_display *display,
     panel_notes.mark = stopwatch_read();
     return pel_surface_init(&panel_glass, format, panel_memory,
                             sizeof panel_memory, &all);
+}
+
+/* Moves what is in an area to the left by n pixels, of which none is sent. */
+static inline enum pel_status panel_scroll(const struct pel_display *display,
+                                           const struct pel_rect *area,
+                                           int32_t n)
+{
+    (void)display;
+    panel_stop();
+    pel_scroll(&panel_glass, area, -n, 0);
+    panel_notes.mark = stopwatch_read();
+    return PEL_OK;
 }
 
 /* What a user has done; here is none, but an example may say what he would do.

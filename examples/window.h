@@ -27,6 +27,16 @@ static inline enum pel_status panel_open(struct pel_display *display,
     return status;
 }
 
+/* As a panel that scrolls by itself. */
+static inline enum pel_status panel_scroll(const struct pel_display *display,
+                                           const struct pel_rect *area,
+                                           int32_t n)
+{
+    (void)display;
+    pel_scroll(&panel_window.glass, area, -n, 0);
+    return PEL_OK;
+}
+
 /* What the user has done; false: nothing more. */
 static inline bool panel_input(struct pel_input *event)
 {
@@ -39,6 +49,11 @@ static inline void panel_close(void)
 {
     const bool panel_ended = panel_window.closed && !panel_window.message;
     struct pel_input event;
+    if (!panel_window.closed)
+        fprintf(stderr,
+                "%s has ended; its last frame stays until the window is "
+                "closed\n",
+                PANEL_TITLE);
     while (pel_display_sdl_wait(&panel_window, -1, &event)) {
     }
     pel_display_sdl_close(&panel_window);

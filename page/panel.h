@@ -7,7 +7,7 @@
 #include "drivers/input.h"
 #include "page/page.h"
 
-static uint32_t panel_memory[320 * 320];
+static uint32_t panel_memory[480 * 320];
 static struct pel_surface panel_glass;
 static int panel_sent;
 
@@ -41,6 +41,16 @@ static inline enum pel_status panel_open(struct pel_display *display,
                                     .flip = panel_flip};
     return pel_surface_init(&panel_glass, format, panel_memory,
                             sizeof panel_memory, &all);
+}
+
+/* As a panel that scrolls by itself. */
+static inline enum pel_status panel_scroll(const struct pel_display *display,
+                                           const struct pel_rect *area,
+                                           int32_t n)
+{
+    (void)display;
+    pel_scroll(&panel_glass, area, -n, 0);
+    return PEL_OK;
 }
 
 static inline bool panel_input(struct pel_input *event)

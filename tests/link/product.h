@@ -24,6 +24,14 @@ static inline enum pel_status panel_open(struct pel_display *display,
     return PEL_OK;
 }
 
+static inline enum pel_status panel_scroll(const struct pel_display *display,
+                                           const struct pel_rect *area,
+                                           int32_t n)
+{
+    (void)display, (void)area, (void)n;
+    return PEL_OK;
+}
+
 static inline bool panel_input(struct pel_input *event)
 {
     (void)event;
