@@ -62,25 +62,34 @@ class Helper {
   }
   start() {
     this.worker = new Worker(this.url);
+    this.worker.onerror = (e) => { // of what work() does not catch
+      e.preventDefault();
+      this.failed = { error: "the worker of the page failed: " + e.message };
+      this.end(this.failed);
+    };
+    this.worker.onmessage = ({ data }) => this.end(data);
     this.worker.postMessage(this.page);
+  }
+  end(answer) {
+    this.answer?.(answer);
+    this.answer = null;
   }
   // What became of it: done, or an error; null: it was stopped.
   ask(job) {
     return new Promise((answer) => {
       this.answer = answer;
-      this.worker.onmessage = ({ data }) => {
-        this.answer = null;
-        answer(data);
-      };
-      this.worker.postMessage(job);
+      if (this.failed)
+        this.end(this.failed);
+      else
+        this.worker.postMessage(job);
     });
   }
   stop() {
-    if (!this.answer)
+    if (!this.answer && !this.failed)
       return;
     this.worker.terminate();
-    this.answer(null);
-    this.answer = null;
+    this.end(null);
+    this.failed = null;
     this.start();
   }
 }

@@ -158,6 +158,19 @@ async function check_stop() {
   check(Date.now() - begun < 20000, "the page was held up");
 }
 
+// A worker that fails is told of, now and whenever it is asked again.
+async function check_failure() {
+  for (let i = 0; i < 2; i++)
+    check(/worker/.test((await browser.value(`(() => {
+      if (globalThis.broken)
+        return broken.ask({});
+      globalThis.broken = Object.create(Helper.prototype);
+      broken.url = URL.createObjectURL(new Blob(["throw new Error()"]));
+      broken.start();
+      return broken.ask({});
+    })()`)).error), "a worker that failed is waited for");
+}
+
 async function check_scenes() {
   const names = await browser.value(
     "[...document.querySelectorAll('#scene option')].map((o) => o.value)");
@@ -196,6 +209,7 @@ async function main() {
   await browser.until("document.body && document.body.dataset.drawn");
   await check_editor();
   await check_stop();
+  await check_failure();
   await check_scenes();
   await check_rest();
   const server = createServer((request, answer) => {
