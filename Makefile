@@ -50,6 +50,11 @@ EXAMPLE_NAMES := $(EXAMPLES:examples/%.c=%)
 $(if $(filter board window device,$(MAKECMDGOALS)),$(if \
     $(filter-out $(EXAMPLE_NAMES),$(EXAMPLE)),$(error EXAMPLE=$(EXAMPLE): expected \
     one of $(EXAMPLE_NAMES), or a program of yours in examples/$(EXAMPLE).c)))
+# Who runs one wants to see it, not how it is compiled.
+ifneq ($(filter board window device,$(MAKECMDGOALS)),)
+.SILENT:
+$(info the first time, what it takes is compiled, which may take two minutes)
+endif
 example_sources = examples/$1.c $(wildcard examples/$1/*.c) \
     $(EXAMPLE_ASSETS_$1:%=$(BUILD)/examples/%.c)
 

@@ -19,16 +19,18 @@ $(BUILD)/libpel_sdl.a: $(SDL_OBJECTS) $(DRIVERS:%.c=$(BUILD)/%.o)
 WINDOW_PERIOD_watch := 1000
 WINDOW_PERIOD_badge := 1000
 WINDOW_PERIOD_thermostat := 200
-.PHONY: window
-window: $(BUILD)/window/$(or $(EXAMPLE),watch) ## an example in a window: EXAMPLE=watch
+.PHONY: window need-window
+window: $(if $(SDL_FOUND),,need-window) $(BUILD)/window/$(or $(EXAMPLE),watch) ## an example in a window: EXAMPLE=watch
 	$<
 $(BUILD)/window/%: examples/%.c $(SDL_LIBRARY) $(BUILD)/libpel.a $(BUILD)/examples/%
 	@mkdir -p $(@D)
-	@tests/tools/need.sh sdl2-config:libsdl2-dev
 	$(CC) $(PEL_CFLAGS) -I$(BUILD)/examples $(CFLAGS) '-DPANEL_TITLE="$*"' \
 	    -DPANEL_PERIOD=$(or $(WINDOW_PERIOD_$*),33) \
 	    '-DPANEL_HEADER="window.h"' $(call example_sources,$*) \
 	    $(SDL_LIBRARY) $(BUILD)/libpel.a $(SDL_LIBS) -o $@
+need-window:
+	@tests/tools/need.sh pkg-config:pkg-config sdl2-config:libsdl2-dev
+	@echo "pkg-config does not find sdl2, of the Debian package libsdl2-dev" >&2; false
 
 # The window of a program, and what it shows, on an X server without a screen.
 CHECK_EXTRA += $(SDL_FOUND:%=check-window)

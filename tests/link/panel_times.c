@@ -1,8 +1,10 @@
 /* What a panel's wire carries until the first frame is there, and for a step of
  * 32 x 32 pixels: a line for each chip, which panels.sh puts into the manual.
- */
+ * The same of e-paper, whose chip is never busy here. */
 #include <stdio.h>
 
+#include "drivers/epaper.h"
+#include "drivers/epaper_chip.h"
 #include "drivers/panel.h"
 
 static const struct module {
@@ -42,6 +44,8 @@ static const struct module {
                                        "128x64 OLED of 16 greys, not turned",
                                        gray4, 8, WHOLE)};
 
+enum { PAPER_MEGAHERTZ = 4 };
+
 static uint8_t memory[320 * 480 * 3];
 static uint32_t bytes, milliseconds;
 
@@ -70,11 +74,14 @@ static enum pel_status take_pause(const struct pel_bus *bus, bool reset,
     return PEL_OK;
 }
 
-/* I2C has a ninth bit for each byte. */
-static double wire_ms(const struct module *m)
+/* 0: I2C at 400 kHz, which has a ninth bit for each byte. */
+static double wire_ms(int megahertz)
 {
-    return m->megahertz ? bytes / 125.0 / m->megahertz : bytes * 9 / 400.0;
+    return megahertz ? bytes / 125.0 / megahertz : bytes * 9 / 400.0;
 }
+
+static const struct pel_bus bus = {NULL, take_command, take_data, take_pause,
+                                   NULL};
 
 static bool flush(const struct pel_display *display,
                   const struct pel_rect *area)
@@ -88,8 +95,6 @@ static bool flush(const struct pel_display *display,
 
 static bool print(const struct module *m)
 {
-    static const struct pel_bus bus = {NULL, take_command, take_data,
-                                       take_pause, NULL};
     const struct pel_rect step = {0, 0, 32, 32};
     struct pel_panel panel = m->panel;
     struct pel_display display;
@@ -99,11 +104,11 @@ static bool print(const struct module *m)
     bytes = milliseconds = 0;
     if (pel_panel_init(&display, &panel) != PEL_OK)
         return false;
-    const double start = milliseconds + wire_ms(m);
+    const double start = milliseconds + wire_ms(m->megahertz);
     const struct pel_rect whole = {0, 0, display.width, display.height};
     if (!flush(&display, &whole))
         return false;
-    const double frame = wire_ms(m);
+    const double frame = wire_ms(m->megahertz);
     if (!flush(&display, &step))
         return false;
     printf("%s\t%s\t", m->chip, m->glass);
@@ -111,16 +116,86 @@ static bool print(const struct module *m)
         printf("%d MHz", m->megahertz);
     else
         printf("I2C");
-    printf("\t%.0f\t%.1f\t%.2f\n", start + frame, frame, wire_ms(m));
+    printf("\t%.0f\t%.1f\t%.2f\n", start + frame, frame, wire_ms(m->megahertz));
     return true;
+}
+
+static const struct paper {
+    const char *chip;
+    const struct pel_epaper_chip *object;
+    const struct pel_format *format;
+    uint16_t width, height;
+    uint8_t step; /* the refresh of a step */
+} papers[] = {
+#define PAPER(chip, format, width, height, step)                 \
+    {                                                            \
+#chip, &pel_epaper_##chip, &pel_##format, width, height, \
+            PEL_EPAPER_##step                                    \
+    }
+    PAPER(ssd1680, mono1, 122, 250, PARTIAL),
+    PAPER(ssd1681, mono1, 200, 200, PARTIAL),
+    PAPER(il3897, mono1, 122, 250, PARTIAL),
+    PAPER(uc8151, mono1, 128, 296, PARTIAL),
+    PAPER(uc8179, mono1, 800, 480, PARTIAL),
+    PAPER(ssd1680_gray2, gray2, 122, 250, FULL),
+    PAPER(uc8151_gray2, gray2, 128, 296, FULL),
+    PAPER(uc8179_gray2, gray2, 800, 480, FULL),
+};
+
+static bool never_busy(const struct pel_epaper *paper)
+{
+    return !paper->chip->busy;
+}
+
+/* ms until the chip begins to refresh the glass. */
+static bool refresh_ms(const struct pel_display *display, double *ms)
+{
+    const struct pel_rect step = {0, 0, 32, 32};
+    if (!flush(display, &step) || pel_display_flip(display) != PEL_OK)
+        return false;
+    *ms = milliseconds + wire_ms(PAPER_MEGAHERTZ);
+    milliseconds = 0;
+    return true;
+}
+
+static bool print_paper(const struct paper *p)
+{
+    static uint8_t frame[2 * PEL_EPAPER_FRAME(800, 480)];
+    struct pel_epaper paper = {.chip = p->object,
+                               .bus = &bus,
+                               .busy = never_busy,
+                               .format = p->format,
+                               .frame = frame,
+                               .width = p->width,
+                               .height = p->height};
+    struct pel_display display;
+    double first, step;
+    bytes = milliseconds = 0;
+    if (pel_epaper_init(&display, &paper) != PEL_OK)
+        return false;
+    const double start = wire_ms(PAPER_MEGAHERTZ);
+    if (!refresh_ms(&display, &first))
+        return false;
+    paper.refresh = p->step;
+    if (!refresh_ms(&display, &step))
+        return false;
+    printf("epaper_%s\t%.0f\t%.0f\n", p->chip, start + first, step);
+    return true;
+}
+
+static int failed(const char *chip)
+{
+    fprintf(stderr, "panel_times: %s\n", chip);
+    return 1;
 }
 
 int main(void)
 {
     for (size_t i = 0; i < sizeof modules / sizeof *modules; i++)
-        if (!print(&modules[i])) {
-            fprintf(stderr, "panel_times: %s\n", modules[i].chip);
-            return 1;
-        }
+        if (!print(&modules[i]))
+            return failed(modules[i].chip);
+    for (size_t i = 0; i < sizeof papers / sizeof *papers; i++)
+        if (!print_paper(&papers[i]))
+            return failed(papers[i].chip);
     return 0;
 }

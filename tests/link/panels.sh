@@ -47,6 +47,7 @@ END
             return has(qemu, chip) ? "chip (QEMU)" : \
                 has(pico, chip) ? "RP2040 (rp2040js)" : "-"
         }
+        /^epaper_/ { next }
         FILENAME == "-" {
             k = "cortex-m0plus-Os" SUBSEP "panel_" $1
             print "| `" $1 "` | " $2 " | " decoded($1) " | " emulated($1) \
@@ -60,13 +61,14 @@ END
 E-paper ([drivers/epaper.h](../drivers/epaper.h)), in the same way: its model
 (`tests/unit/test_drivers_epaper.c`) is busy after commands, and in a partial
 refresh drives what differs alone. Beside the stack a frame of one bit a pixel is
-in RAM, of panels with red, yellow or greys two, and two structs, 84 bytes. A
-first frame takes what its waveform takes, 0.3 s (partial) to 30 s (color).
+in RAM, of panels with red, yellow or greys two, and two structs, 84 bytes. Times
+are in ms at 4 MHz: from the reset, and from a step of 32 x 32 pixels on, until the
+glass begins to change. Then the waveform takes 0.3 s (partial) to 30 s (color).
 
-| chip | modules | full, fast, partial | flash | stack |
-|---|---|---|---:|---:|
+| chip | modules | full, fast, partial | flash | stack | first frame | step |
+|---|---|---|---:|---:|---:|---:|
 END
-    awk -F '\t' '
+    "$1" | awk -F '\t' '
         BEGIN {
             own = "with the maker'"'"'s waveform: full alone without"
             modules["ssd1680"] = "GDEY0213B74, GDEY029T94, GDEY0213Z98 | all"
@@ -78,9 +80,11 @@ END
             modules["uc8151_gray2"] = "GDEW029T5: 4 greys | full"
             modules["uc8179_gray2"] = "GDEY075T7 since 2023: 4 greys | full"
         }
+        FILENAME == "-" && sub(/^epaper_/, "", $1) { first[$1] = $2; step[$1] = $3 }
         $1 == "cortex-m0plus-Os" && sub(/^epaper_/, "", $2) {
-            print "| `" $2 "` | " modules[$2] " | " $3 " | " $5 " |"
-        }' "$sizes"
+            print "| `" $2 "` | " modules[$2] " | " $3 " | " $5 \
+                " | " first[$2] " | " step[$2] " |"
+        }' - "$sizes"
 }
 
 [ -z "${2-}" ] || page "$1" >"$document"

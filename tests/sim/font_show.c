@@ -1,5 +1,6 @@
 /* Prints a text in a font asset as a PGM of 0 and 1, half a pixel or more;
- * built with each asset by test_font.sh. The font's check is tried first. */
+ * built with each asset by test_font_files.sh. The font's check is tried first.
+ */
 #include <stdio.h>
 
 #include "core/image/glyph_text.h"

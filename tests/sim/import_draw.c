@@ -1,6 +1,7 @@
-/* A firmware's way with a mesh asset, built with each asset by test_import.sh:
- * draws it with core/scene in RGB565, and compares with the picture that pel
- * render drew of the mesh file, with the same numbers: they are equal.
+/* A firmware's way with a mesh asset, built with each asset by
+ * test_asset_import.sh: draws it with core/scene in RGB565, and compares with
+ * the picture that pel render drew of the mesh file, with the same numbers:
+ * they are equal.
  *
  *     import_draw EXPECTED.ppm flat|gouraud|phong|measured [STEPS]
  *
@@ -22,8 +23,8 @@ extern const uint8_t asset_span[];
 
 enum { SIZE = 600 };
 
-/* The camera and the light of test_import.sh: of --print-camera, or of the
- * same numbers. */
+/* The camera and the light of test_asset_import.sh: of --print-camera, or of
+ * the same numbers. */
 #ifdef CAMERA
 static const struct pel_camera camera =
 #include CAMERA

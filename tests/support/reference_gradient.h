@@ -75,7 +75,7 @@ static inline wide cross(struct pel_point d, wide u, wide v)
     return d.x * v - d.y * u;
 }
 
-/* The rule of round/wedge.h, for sectors of up to a half turn. */
+/* The rule of round/angle_range.h, for sectors of up to a half turn. */
 static inline bool in_sector(const struct gradient *g, int64_t k, wide u,
                              wide v)
 {

@@ -7,7 +7,7 @@ shift
 "$@" </dev/null >"$out.ppm"
 if [ "$(head -c 2 "$out.ppm")" = P6 ]; then
     LC_ALL=C sed -n -e '/^# /s///p' -e '/^[0-9]* [0-9]* 255$/q' "$out.ppm"
-    echo "$out.ppm"
+    echo "the picture: $out.ppm"
 else
     cat "$out.ppm"
     rm "$out.ppm"
