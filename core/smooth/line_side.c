@@ -23,25 +23,10 @@ bool pel_smooth_cut(struct pel_smooth_strip *s, const struct pel_smooth_bow *b,
     return s->near < s->far;
 }
 
-bool pel_smooth_upright(struct pel_smooth_crossing *c, int32_t y, int64_t from,
-                        int64_t to)
-{
-    const int64_t top = (int64_t)y * 65536;
-    from = from > top ? from - top : 0;
-    to = to - top < 65536 ? to - top : 65536;
-    c->strip.circle = NULL;
-    c->strip.near = 0;
-    c->strip.far = (int32_t)(to - from);
-    return from < to;
-}
-
 /* x at the top of a row that the line crosses. */
 static int64_t line_at(struct pel_smooth_line *l, int32_t y)
 {
-    if (y == l->row + 1)
-        l->at += l->step;
-    else if (y != l->row)
-        l->at += (int64_t)pel_times((uint64_t)l->step, y - l->row);
+    l->at += (int64_t)pel_times((uint64_t)l->step, y - l->row);
     l->row = y;
     return l->at >> 16;
 }
@@ -71,8 +56,8 @@ static bool move_line(struct pel_smooth_line *l, int32_t y,
         l->row = y;
     }
     const int64_t at = l->at;
-    if (y != l->row || y * INT64_C(65536) < l->top.y ||
-        y >= (int32_t)((l->bottom.y - 1) >> 16))
+    if (y != l->row || y * INT64_C(65536) < l->end[0].y ||
+        y >= (int32_t)((l->end[1].y - 1) >> 16))
         return false;
     l->at += l->step;
     l->row++;
@@ -88,7 +73,7 @@ static bool find_part(const struct pel_smooth_lines *lines, int32_t y,
                       int32_t i, struct pel_smooth_crossing *c)
 {
     struct pel_smooth_line *const l = &lines->line[lines->wide ? i >> 1 : i];
-    const struct pel_smooth_far_place *top = &l->top, *bottom = &l->bottom;
+    const struct pel_smooth_far_place *top = l->end, *bottom = l->end + 1;
     const struct pel_smooth_far_place middle = {(top->x + bottom->x) >> 1,
                                                 (top->y + bottom->y) >> 1};
     const int64_t row = (int64_t)y * 65536;
@@ -118,25 +103,57 @@ static void set_line(struct pel_smooth_line *l, struct pel_point d)
     l->step = pel_smooth_slope(&zero, &down, &rise);
     const uint64_t size = (uint64_t)pel_size_of(l->step);
     l->slope = pel_smooth_slope_of(size);
-    l->row = (int32_t)((l->top.y + 65535) >> 16);
+    l->row = (int32_t)((l->end[0].y + 65535) >> 16);
     const int64_t way =
-        (int64_t)(pel_times(size, (int32_t)(-l->top.y & 65535)) >> 16);
-    l->at = l->top.x * 65536 + (l->step < 0 ? -way : way);
+        (int64_t)(pel_times(size, (int32_t)(-l->end[0].y & 65535)) >> 16);
+    l->at = l->end[0].x * 65536 + (l->step < 0 ? -way : way);
+}
+
+void pel_smooth_lines_begin(struct pel_smooth_lines *lines,
+                            struct pel_smooth_bow *bow,
+                            struct pel_smooth_line *line, bool wide)
+{
+    struct pel_smooth_outline *const o = &lines->outline;
+    lines->line = line;
+    lines->wide = wide;
+    o->bow = bow;
+    o->bows = 2;
+    o->cut = pel_smooth_cut;
+    o->count = 0;
+    o->others = pel_smooth_others;
+    o->other = find_line;
+    o->twins = false;
+    o->spread.x = o->spread.y = 0;
+}
+
+static PEL_NOINLINE_32 void set_place(struct pel_smooth_far_place *far,
+                                      const struct pel_smooth_bow *b, bool last)
+{
+    const struct pel_smooth_place *const p =
+        last == b->hole ? &b->from : &b->to;
+    far->x = (int64_t)b->center.x * 256 + p->x;
+    far->y = (int64_t)b->center.y * 256 + p->y;
+}
+
+void pel_smooth_joint(const struct pel_smooth_outline *o, int32_t k,
+                      bool flipped, struct pel_smooth_far_place place[2])
+{
+    set_place(&place[flipped], &o->bow[k], true);
+    set_place(&place[!flipped], &o->bow[k + 1 == o->bows ? 0 : k + 1], false);
 }
 
 void pel_smooth_lines_add(struct pel_smooth_lines *lines, struct pel_point d,
-                          struct pel_smooth_far_place from,
-                          struct pel_smooth_far_place to)
+                          int32_t k)
 {
     struct pel_smooth_outline *const o = &lines->outline;
     struct pel_smooth_line *const l =
-        &lines->line[lines->wide ? o->others / 2 : o->others];
-    if (from.y == to.y)
+        &lines->line[lines->wide ? o->count / 2 : o->count];
+    pel_smooth_joint(o, k, false, l->end);
+    l->rising = l->end[1].y < l->end[0].y;
+    if (l->rising)
+        pel_smooth_joint(o, k, true, l->end);
+    if (l->end[0].y == l->end[1].y)
         return;
-    l->rising = to.y < from.y;
-    l->top = l->rising ? to : from;
-    l->bottom = l->rising ? from : to;
     set_line(l, d);
-    o->other = find_line;
-    o->others = (uint8_t)(o->others + (lines->wide ? 2 : 1));
+    o->count = (uint8_t)(o->count + (lines->wide ? 2 : 1));
 }

@@ -9,18 +9,14 @@ struct pel_smooth_far_place {
     int64_t x, y;
 };
 
-static inline struct pel_smooth_far_place pel_smooth_far_place_at(
-    struct pel_point center, struct pel_smooth_place place)
-{
-    const struct pel_smooth_far_place far = {
-        PEL_CAST(int64_t, center.x) * 256 + place.x,
-        PEL_CAST(int64_t, center.y) * 256 + place.y};
-    return far;
-}
+/* Where bow k of an outline ends, and where the next one begins; or, flipped,
+ * the other way around. */
+void pel_smooth_joint(const struct pel_smooth_outline *outline, int32_t k,
+                      bool flipped, struct pel_smooth_far_place place[2]);
 
 /* A line down. */
 struct pel_smooth_line {
-    struct pel_smooth_far_place top, bottom;
+    struct pel_smooth_far_place end[2]; /* the upper one, the lower one */
     int64_t at, step; /* at the top of a row, to the next: px 2^-32 */
     int32_t row;
     struct pel_smooth_slope slope;
@@ -38,10 +34,14 @@ struct pel_smooth_lines {
     bool wide; /* a row may hold more than the range of a strip */
 };
 
-/* Adds a line in a direction, between two heights; none if it is level. */
+/* Two bows, and no line; with all else that lines need of the outline. */
+void pel_smooth_lines_begin(struct pel_smooth_lines *lines,
+                            struct pel_smooth_bow *bow,
+                            struct pel_smooth_line *line, bool wide);
+
+/* Adds a line in a direction, from bow k to the next one; none if it is level.
+ */
 void pel_smooth_lines_add(struct pel_smooth_lines *lines,
-                          struct pel_point direction,
-                          struct pel_smooth_far_place from,
-                          struct pel_smooth_far_place to);
+                          struct pel_point direction, int32_t k);
 
 #endif

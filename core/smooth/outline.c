@@ -1,7 +1,7 @@
 #include "outline.h"
 
-/* Columns whose areas are summed at a time. */
-enum { COLUMNS = PEL_SMOOTH_TINY ? 8 : 16 };
+/* Pixels that are painted at a time, beside full ones. */
+enum { PIXELS = PEL_SMOOTH_TINY ? 8 : 16 };
 
 void pel_smooth_bow_set(struct pel_smooth_bow *b, int32_t radius)
 {
@@ -47,46 +47,59 @@ static void go_to(const struct pel_smooth_outline *o, struct pel_smooth_bow *b,
     b->row = y;
 }
 
-/* What the upper half of a circle, or the lower one, has in a row, whose top is
- * so far below its upper centres. Places a unit outside of the circle do not
- * matter. */
-static PEL_NOINLINE_32 void visit_half(const struct pel_smooth_outline *o,
-                                       const struct pel_smooth_bow *b,
-                                       int32_t down, bool below,
-                                       struct pel_smooth_visitor *visitor)
+/* What the kth quarter of a circle has in a row, whose top is so far below its
+ * upper centres: false where it has nothing. Places a unit outside of the
+ * circle do not matter. */
+static inline bool find_quarter(const struct pel_smooth_outline *o,
+                                const struct pel_smooth_bow *b, int32_t down,
+                                int32_t k, struct pel_smooth_crossing *c)
 {
-    struct pel_smooth_crossing c;
-    struct pel_smooth_strip *const s = &c.strip;
+    struct pel_smooth_strip *const s = &c->strip;
+    const int32_t quadrant = (b->first + k) & 3;
+    const bool below = quadrant < 2;
     const int32_t near = below ? down - o->spread.y : -256 - down;
     const int32_t far = pel_min(near + 256, b->circle.radius);
-    if (near >= far || far <= 0)
-        return;
     s->circle = &b->circle;
-    c.below = below;
-    c.other = -1;
-    for (int32_t k = 0; k < b->count; k++) {
-        const int32_t quadrant = (b->first + k) & 3;
-        if ((quadrant < 2) != below)
-            continue;
-        s->near = pel_max(near, 0) * 256;
-        s->far = far * 256;
-        s->at_near = near > 0 ? b->at[!below] : b->circle.reach;
-        s->at_far = pel_min(b->at[below], s->at_near);
-        if (o->cut && !o->cut(s, b, k, quadrant & 1))
-            continue;
-        c.left = quadrant == 1 || quadrant == 2;
-        c.rising = c.left != b->hole;
-        c.center = c.left ? -b->center.x : b->center.x + o->spread.x;
-        visitor->visit(visitor, &c);
-    }
+    s->near = pel_max(near, 0) * 256;
+    s->far = far * 256;
+    s->at_near = near > 0 ? b->at[!below] : b->circle.reach;
+    s->at_far = pel_min(b->at[below], s->at_near);
+    c->below = below;
+    c->other = -1;
+    c->left = quadrant == 1 || quadrant == 2;
+    c->rising = c->left != b->hole;
+    c->center = c->left ? -b->center.x : b->center.x + o->spread.x;
+    return near < far && far > 0 && (!o->cut || o->cut(s, b, k, quadrant & 1));
 }
 
-/* Apart from the others, for less stack. */
-static PEL_NOINLINE void visit_others(struct pel_smooth_outline *o, int32_t y,
+static PEL_NOINLINE_32 void visit_bow(const struct pel_smooth_outline *o,
+                                      const struct pel_smooth_bow *b,
+                                      int32_t down,
                                       struct pel_smooth_visitor *visitor)
 {
     struct pel_smooth_crossing c;
-    for (int32_t i = 0; i < o->others; i++) {
+    for (int32_t k = 0; k < b->count; k++)
+        if (find_quarter(o, b, down, k, &c))
+            visitor->visit(visitor, &c);
+}
+
+bool pel_smooth_upright(struct pel_smooth_crossing *c, int32_t y, int64_t from,
+                        int64_t to)
+{
+    const int64_t top = (int64_t)y * 65536;
+    from = from > top ? from - top : 0;
+    to = to - top < 65536 ? to - top : 65536;
+    c->strip.circle = NULL;
+    c->strip.near = 0;
+    c->strip.far = (int32_t)(to - from);
+    return from < to;
+}
+
+void pel_smooth_others(struct pel_smooth_outline *o, int32_t y,
+                       struct pel_smooth_visitor *visitor)
+{
+    struct pel_smooth_crossing c;
+    for (int32_t i = 0; i < o->count; i++) {
         c.other = (int8_t)i;
         if (o->other(o, y, i, &c))
             visitor->visit(visitor, &c);
@@ -102,78 +115,39 @@ void pel_smooth_visit(struct pel_smooth_outline *o, int32_t y,
             down >= b->circle.radius + o->spread.y)
             continue;
         go_to(o, b, y);
-        visit_half(o, b, down, false, visitor);
-        visit_half(o, b, down, true, visitor);
+        visit_bow(o, b, down, visitor);
     }
-    visit_others(o, y, visitor);
+    if (o->others)
+        o->others(o, y, visitor);
 }
 
-/* Some columns of a row, in which the areas right of its sides are added up. */
-struct window {
+/* Pixels from x on, and the next one, in which the areas right of its sides are
+ * added up. */
+struct pixels {
     struct pel_smooth_visitor visitor; /* first */
-    int32_t y, x, n;                   /* columns from x on */
-    int32_t used; /* of them, up to the last one that a side crosses */
-    int32_t next; /* the first one behind it that a side crosses */
-    union {
-        int32_t sum[COLUMNS + 1]; /* what each has more than the one before it,
-                                     and what those up to `next` have, 2^-15 px
-                                   */
-        uint8_t coverage[COLUMNS];
-    } of;
+    int32_t x, next;                   /* up to here all are like it */
+    int32_t sum;                       /* 2^-15 px */
+    struct pel_smooth_row row;
+    uint8_t coverage[PIXELS];
 };
 
-/* Adds what lies right of a side in columns, which it crosses, and behind them;
- * or takes it away. */
-static void add_columns(struct window *w, struct pel_smooth_crossing *c,
-                        struct pel_span columns)
-{
-    struct pel_smooth_arc_piece piece = {0, 0, INT32_MIN, 0};
-    const int32_t h = pel_smooth_height(&c->strip);
-    int32_t *sum = w->of.sum + (columns.x1 - w->x);
-    int32_t n = columns.x1 - columns.x0, x = c->left ? -columns.x1 : columns.x0;
-    *sum += c->rising ? h : -h;
-    sum -= c->left ? 1 : n;
-    pel_smooth_strip_set(&c->strip);
-    for (; n > 0; n--, x++, sum += c->left ? -1 : 1) {
-        const int32_t u = pel_smooth_boundary(c, x);
-        int32_t area = (int32_t)pel_smooth_column_area(&c->strip, u, &piece);
-        if (!c->left)
-            area = h - area;
-        if (!c->rising)
-            area = -area;
-        sum[0] += area;
-        sum[1] -= area;
-    }
-}
-
-static void add_side(struct pel_smooth_visitor *window,
+/* Adds what lies right of a side in the next pixel, or takes it away. */
+static void add_side(struct pel_smooth_visitor *pixels,
                      struct pel_smooth_crossing *c)
 {
-    struct window *const w = (void *)window;
-    const int32_t h = pel_smooth_height(&c->strip), end = w->x + w->n;
-    struct pel_span columns = pel_smooth_crossing_columns(c);
-    if (columns.x1 <= w->x)
-        w->of.sum[0] += c->rising ? h : -h;
-    if (columns.x1 > end)
-        w->next = pel_min(w->next, pel_max(columns.x0, end));
-    columns.x0 = pel_max(columns.x0, w->x);
-    columns.x1 = pel_min(columns.x1, end);
-    if (columns.x0 >= columns.x1)
+    struct pixels *const p = (void *)pixels;
+    const struct pel_span columns = pel_smooth_crossing_columns(c);
+    int32_t area = pel_smooth_height(&c->strip);
+    if (p->x < columns.x1)
+        p->next = pel_min(p->next, pel_max(columns.x0, p->x + 1));
+    if (p->x < columns.x0)
         return;
-    w->used = pel_max(w->used, columns.x1 - w->x);
-    add_columns(w, c, columns);
-}
-
-static PEL_NOINLINE void fill_window(struct pel_smooth_outline *o,
-                                     struct window *w)
-{
-    w->n = pel_min(o->seen.x1 - w->x, COLUMNS);
-    w->next = o->seen.x1;
-    w->used = 0;
-    /* volatile: no call of memset, which may be the only one */
-    for (int32_t i = 0; i <= w->n; i++)
-        ((volatile int32_t *)w->of.sum)[i] = 0;
-    pel_smooth_visit(o, w->y, &w->visitor);
+    if (p->x < columns.x1) {
+        const int32_t u = pel_smooth_boundary(c, c->left ? ~p->x : p->x);
+        const int32_t part = (int32_t)pel_smooth_column_area(&c->strip, u);
+        area = c->left ? part : area - part;
+    }
+    p->sum += c->rising ? area : -area;
 }
 
 /* Where ends meet a sum may be more than a pixel. */
@@ -182,41 +156,38 @@ static uint8_t coverage_of(int32_t sum)
     return pel_smooth_coverage((uint32_t)pel_min(sum, 32768));
 }
 
-/* Sums become bytes, each after the sum that it lies in has been read. All
- * pixels from `used` to `next` are full or empty, or the window is as long as
- * it can be. How many are full. */
-static PEL_NOINLINE int32_t find_coverage(struct window *w)
+/* Those to the next full ones, or as many as there is room for. */
+static PEL_NOINLINE void find_pixels(struct pel_smooth_outline *o,
+                                     struct pixels *p)
 {
-    int32_t sum = 0;
-    for (int32_t i = 0;; i++) {
-        sum += w->of.sum[i];
-        const uint8_t coverage = coverage_of(sum);
-        if (i >= w->used) {
-            w->used = i;
-            if (coverage == 255)
-                return w->next - w->x - i;
-            if (coverage == 0)
-                return 0;
-            if (i == w->n) {
-                w->next = w->x + i;
-                return 0;
-            }
+    struct pel_smooth_row *const row = &p->row;
+    row->x = p->x;
+    row->left = row->full = 0;
+    while (p->x < o->seen.x1 && row->left < PIXELS) {
+        p->next = o->seen.x1;
+        p->sum = 0;
+        pel_smooth_visit(o, row->y, &p->visitor);
+        const uint8_t coverage = coverage_of(p->sum);
+        if (coverage == 0 || coverage == 255) {
+            row->full = coverage ? p->next - p->x : 0;
+            p->x = p->next;
+            return;
         }
-        w->of.coverage[i] = coverage;
+        p->coverage[row->left++] = coverage;
+        p->x++;
     }
 }
 
 static void paint_row(struct pel_smooth_outline *o, int32_t y)
 {
-    struct window w;
-    w.visitor.visit = add_side;
-    w.y = y;
-    for (w.x = o->seen.x0; w.x < o->seen.x1; w.x = w.next) {
-        fill_window(o, &w);
-        const int32_t full = find_coverage(&w);
-        const struct pel_smooth_row row = {y,    w.x, w.used,
-                                           full, 0,   w.of.coverage};
-        pel_smooth_paint(&o->smooth, &row);
+    struct pixels p;
+    p.visitor.visit = add_side;
+    p.row.y = y;
+    p.row.right = 0;
+    p.row.coverage = p.coverage;
+    for (p.x = o->seen.x0; p.x < o->seen.x1;) {
+        find_pixels(o, &p);
+        pel_smooth_paint(&o->smooth, &p.row);
     }
 }
 

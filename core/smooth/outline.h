@@ -27,32 +27,35 @@ struct pel_smooth_bow {
 /* What an outline has in a row: a strip, in the picture that is mirrored if
  * `left`. */
 struct pel_smooth_crossing {
-    struct pel_smooth_strip strip; /* but for what pel_smooth_strip_set sets */
+    struct pel_smooth_strip strip;
     int32_t center;
     bool left, rising;
     bool below;   /* of a circle: of its lower half */
     int8_t other; /* the number of a side that is none of a circle's; or -1 */
 };
 
+struct pel_smooth_visitor;
 struct pel_smooth_outline {
     struct pel_smooth smooth; /* first */
     struct pel_rect seen;     /* px */
     struct pel_point spread;  /* of a rounded rectangle's corners, 1/256 px */
     struct pel_smooth_bow *bow;
-    uint8_t bows;
+    uint8_t bows, count; /* of sides of other kinds */
+    bool inside;         /* no column is clipped away */
+    bool twins;          /* rows are painted with their images, .. */
+    int32_t image_y;     /* .. to which their y adds up */
+    int32_t alike; /* up to this row no side begins or ends (whole_rows.c) */
     /* Cuts a strip of the kth quarter of a bow, which begins at the upright
      * axis or at the level one, at the bow's ends; false: none is left. NULL:
      * bows are circles, without ends. */
     bool (*cut)(struct pel_smooth_strip *strip,
                 const struct pel_smooth_bow *bow, int32_t k, bool upright);
-    uint8_t others; /* sides of other kinds */
+    /* pel_smooth_others, or NULL where there are none. */
+    void (*others)(struct pel_smooth_outline *outline, int32_t y,
+                   struct pel_smooth_visitor *visitor);
     /* The ith of them in row y; false: there is none. */
     bool (*other)(struct pel_smooth_outline *outline, int32_t y, int32_t i,
                   struct pel_smooth_crossing *crossing);
-    bool inside;     /* no column is clipped away */
-    bool twins;      /* rows are painted with their images, .. */
-    int32_t image_y; /* .. to which their y adds up */
-    int32_t alike;   /* up to this row no side begins or ends (whole_rows.c) */
 };
 
 /* After it has got `spread` to `others`, and `twins`. False: nothing in the box
@@ -81,6 +84,8 @@ struct pel_smooth_visitor {
 
 void pel_smooth_visit(struct pel_smooth_outline *outline, int32_t y,
                       struct pel_smooth_visitor *visitor);
+void pel_smooth_others(struct pel_smooth_outline *outline, int32_t y,
+                       struct pel_smooth_visitor *visitor);
 
 /* The inner boundary of a column that it crosses, in its picture. */
 static inline int32_t pel_smooth_boundary(const struct pel_smooth_crossing *c,

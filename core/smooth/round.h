@@ -4,19 +4,16 @@
 
 #include "outline.h"
 
-/* A disc without a smaller one, whose four quarters lie so far apart. */
-struct pel_smooth_round {
-    struct pel_point center, spread; /* of the upper left quarter; 1/256 px */
-    int32_t inner, outer;
-    const struct pel_smooth_oval *oval; /* of the outer one, or NULL */
-    /* Finds the two sides between quarters (outline.h), or NULL. */
-    bool (*other)(struct pel_smooth_outline *outline, int32_t y, int32_t i,
-                  struct pel_smooth_crossing *crossing);
-};
+/* Sets an outline of a disc of legal coordinates, which is one bow, or without
+ * a smaller one, which is the second, if inner > 0. Then its quarters may be
+ * spread, it may become an oval, and get other sides. */
+void pel_smooth_round_set(struct pel_smooth_outline *outline,
+                          struct pel_smooth_bow *bow, struct pel_point center,
+                          int32_t inner, int32_t outer);
 
-/* Of legal coordinates; inner < outer, or outer is 0. */
-void pel_smooth_round(const struct pel_surface *surface,
-                      const struct pel_smooth_round *round,
-                      const struct pel_paint *paint);
+/* Begins to paint it: as pel_smooth_outline_begin. */
+bool pel_smooth_round_begin(const struct pel_surface *surface,
+                            struct pel_smooth_outline *outline,
+                            const struct pel_paint *paint);
 
 #endif

@@ -67,30 +67,18 @@ static void set_half(struct pel_smooth_bow *b, const struct pel_arc_shape *arc,
 static bool find_joint(struct pel_smooth_outline *o, int32_t y, int32_t k,
                        struct pel_smooth_crossing *c)
 {
-    const struct pel_smooth_bow *const a = &o->bow[k];
-    const struct pel_smooth_bow *const b = &o->bow[(k + 1) & 3];
-    const struct pel_smooth_bow *const half = k & 1 ? a : b;
-    const struct pel_smooth_place *const end = a->hole ? &a->from : &a->to;
-    const struct pel_smooth_place *const next = b->hole ? &b->to : &b->from;
+    struct pel_smooth_far_place end[2];
+    const struct pel_smooth_bow *const half = &o->bow[k & 1 ? k : (k + 1) & 3];
     if (pel_magnitude(y * 256 + 128 - half->center.y) >
         half->circle.radius + 132)
         return false;
-    const int64_t from = (int64_t)a->center.y * 256 + end->y;
-    const int64_t to = (int64_t)b->center.y * 256 + next->y;
-    c->center = half->center.x;
-    c->strip.at_near = c->strip.at_far = k & 1 ? end->x : next->x;
+    pel_smooth_joint(o, k, false, end);
+    c->rising = end[1].y < end[0].y;
+    const int64_t x = end[!(k & 1)].x;
+    c->center = (int32_t)(x >> 8);
+    c->strip.at_near = c->strip.at_far = x & 255;
     c->left = false;
-    c->rising = to < from;
-    return pel_smooth_upright(c, y, c->rising ? to : from,
-                              c->rising ? from : to);
-}
-
-static void set_cut(struct tour *t, struct pel_point center, uint16_t angle,
-                    const struct pel_smooth_place end[2])
-{
-    pel_smooth_lines_add(&t->lines, pel_direction(angle),
-                         pel_smooth_far_place_at(center, end[0]),
-                         pel_smooth_far_place_at(center, end[1]));
+    return pel_smooth_upright(c, y, end[c->rising].y, end[!c->rising].y);
 }
 
 static PEL_NOINLINE void set_tour(struct tour *t,
@@ -100,26 +88,18 @@ static PEL_NOINLINE void set_tour(struct tour *t,
     struct pel_smooth_outline *const o = &t->lines.outline;
     struct pel_smooth_bow *const outer = t->of.bow;
     struct pel_smooth_bow *const inner = outer + (round ? 2 : 1);
-    t->lines.wide = false;
-    t->lines.line = t->of.cut.line;
-    o->bow = outer;
-    o->bows = round ? 4 : 2;
-    o->cut = pel_smooth_cut;
-    o->others = round ? 4 : 0;
-    o->other = find_joint;
-    o->twins = false;
-    o->spread = (struct pel_point){0, 0};
+    pel_smooth_lines_begin(&t->lines, outer, t->of.cut.line, false);
     set_bow(outer, arc->center, angles, arc->outer);
     set_bow(inner, arc->center, angles, arc->inner);
     inner->hole = true;
     if (round) {
+        o->bows = o->count = 4;
+        o->other = find_joint;
         set_half(outer + 1, arc, angles.to, 0);
         set_half(outer + 3, arc, angles.from, 32768);
     } else {
-        const struct pel_smooth_place in[2] = {outer->to, inner->to};
-        const struct pel_smooth_place out[2] = {inner->from, outer->from};
-        set_cut(t, arc->center, angles.to, in);
-        set_cut(t, arc->center, angles.from, out);
+        pel_smooth_lines_add(&t->lines, pel_direction(angles.to), 0);
+        pel_smooth_lines_add(&t->lines, pel_direction(angles.from), 1);
     }
 }
 
@@ -154,16 +134,12 @@ static struct pel_rect box_of(const struct pel_smooth_outline *o)
                              pel_pixel_of(box.y1 + 1) + 1};
 }
 
-static PEL_NOINLINE void paint_tour(const struct pel_surface *surface,
-                                    const struct pel_arc_shape *arc,
-                                    struct pel_angles angles, bool round,
+static PEL_NOINLINE bool begin_tour(const struct pel_surface *surface,
+                                    struct pel_smooth_outline *o,
                                     const struct pel_paint *paint)
 {
-    struct tour t;
-    set_tour(&t, arc, angles, round);
-    const struct pel_rect box = box_of(&t.lines.outline);
-    if (pel_smooth_outline_begin(&t.lines.outline, surface, &box, paint))
-        pel_smooth_outline_paint(&t.lines.outline);
+    const struct pel_rect box = box_of(o);
+    return pel_smooth_outline_begin(o, surface, &box, paint);
 }
 
 static bool is_legal(const struct pel_arc_shape *arc)
@@ -172,44 +148,61 @@ static bool is_legal(const struct pel_arc_shape *arc)
            pel_radius_legal(arc->outer);
 }
 
-static void paint_arc(const struct pel_surface *surface,
-                      const struct pel_arc_shape *arc, bool round,
-                      const struct pel_paint *paint)
+/* False: nothing is to be seen. */
+static PEL_NOINLINE_32 bool begin(const struct pel_surface *surface,
+                                  struct tour *t,
+                                  const struct pel_arc_shape *arc, bool round,
+                                  const struct pel_paint *paint)
 {
+    struct pel_smooth_outline *const o = &t->lines.outline;
     struct pel_angles angles;
     const bool legal = is_legal(arc);
-    const struct pel_smooth_round ring = {arc->center, {0, 0}, arc->inner,
-                                          arc->outer,  NULL,   NULL};
     PEL_ASSERT(legal);
     PEL_HINT(pel_in_subpixels(&arc->center, 1, arc->outer));
     if (!legal || arc->outer <= arc->inner ||
         !pel_angles_set(&angles, arc->from, arc->to))
-        return;
-    if (angles.from == angles.to)
-        pel_smooth_round(surface, &ring, paint);
-    else
-        paint_tour(surface, arc, angles, round, paint);
+        return false;
+    if (angles.from == angles.to) {
+        pel_smooth_round_set(o, t->of.bow, arc->center, arc->inner, arc->outer);
+        return pel_smooth_round_begin(surface, o, paint);
+    }
+    set_tour(t, arc, angles, round);
+    return begin_tour(surface, o, paint);
 }
 
 void pel_smooth_arc(const struct pel_surface *surface,
                     const struct pel_arc_shape *arc,
                     const struct pel_paint *paint)
 {
-    paint_arc(surface, arc, false, paint);
+    struct tour t;
+    if (begin(surface, &t, arc, false, paint))
+        pel_smooth_outline_paint(&t.lines.outline);
 }
 
 void pel_smooth_arc_round(const struct pel_surface *surface,
                           const struct pel_arc_shape *arc,
                           const struct pel_paint *paint)
 {
-    paint_arc(surface, arc, true, paint);
+    struct tour t;
+    if (begin(surface, &t, arc, true, paint))
+        pel_smooth_outline_paint(&t.lines.outline);
+}
+
+static PEL_NOINLINE_32 bool begin_sector(const struct pel_surface *surface,
+                                         struct tour *t,
+                                         const struct pel_sector_shape *sector,
+                                         const struct pel_paint *paint)
+{
+    const struct pel_arc_shape arc = {sector->center, 0, sector->radius,
+                                      sector->from, sector->to};
+    return begin(surface, t, &arc, false, paint);
 }
 
 void pel_smooth_sector(const struct pel_surface *surface,
                        const struct pel_sector_shape *sector,
                        const struct pel_paint *paint)
 {
-    const struct pel_arc_shape arc = {sector->center, 0, sector->radius,
-                                      sector->from, sector->to};
-    paint_arc(surface, &arc, false, paint);
+    struct tour t;
+    if (begin_sector(surface, &t, sector, paint))
+        pel_smooth_outline_paint(&t.lines.outline);
 }

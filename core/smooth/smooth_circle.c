@@ -7,10 +7,13 @@ void pel_smooth_circle(const struct pel_surface *surface,
                        const struct pel_paint *paint)
 {
     const bool legal = pel_point_legal(center) && pel_radius_legal(radius);
-    const struct pel_smooth_round disc = {center, {0, 0}, 0,
-                                          radius, NULL,   NULL};
+    struct pel_smooth_outline disc;
+    struct pel_smooth_bow bow;
     PEL_ASSERT(legal);
     PEL_HINT(pel_in_subpixels(&center, 1, radius));
-    if (legal && radius > 0)
-        pel_smooth_round(surface, &disc, paint);
+    if (!legal || radius == 0)
+        return;
+    pel_smooth_round_set(&disc, &bow, center, 0, radius);
+    if (pel_smooth_round_begin(surface, &disc, paint))
+        pel_smooth_outline_paint(&disc);
 }

@@ -111,7 +111,7 @@ static int32_t at(const struct pel_smooth_oval *oval, int32_t distance,
 
 static PEL_NOINLINE void set_ellipse(struct ellipse *e, int32_t a, int32_t b)
 {
-    e->oval = (struct pel_smooth_oval){a * 256, at, bulge_of};
+    e->oval = (struct pel_smooth_oval){at, bulge_of};
     set_axis(&e->axis[0], b, a);
     set_axis(&e->axis[1], a, b);
     e->inverse[0] = pel_divide(UINT32_C(1) << 24, (uint32_t)a);
@@ -135,11 +135,16 @@ void pel_smooth_ellipse(const struct pel_surface *surface,
     const struct pel_point c = shape->center, r = shape->radius;
     const bool legal = is_legal(shape);
     struct ellipse e;
-    const struct pel_smooth_round round = {c, {0, 0}, 0, r.y, &e.oval, NULL};
+    struct pel_smooth_outline outline;
+    struct pel_smooth_bow bow;
     PEL_ASSERT(legal);
     PEL_HINT(pel_in_subpixels(&shape->center, 1, r.x | r.y));
     if (!legal || r.x == 0 || r.y == 0)
         return;
     set_ellipse(&e, r.x, r.y);
-    pel_smooth_round(surface, &round, paint);
+    pel_smooth_round_set(&outline, &bow, c, 0, r.y);
+    bow.circle.oval = &e.oval;
+    bow.circle.reach = r.x * 256;
+    if (pel_smooth_round_begin(surface, &outline, paint))
+        pel_smooth_outline_paint(&outline);
 }

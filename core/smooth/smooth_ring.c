@@ -9,10 +9,13 @@ void pel_smooth_ring(const struct pel_surface *surface,
     const bool legal = pel_point_legal(ring->center) &&
                        pel_radius_legal(ring->inner) &&
                        pel_radius_legal(ring->outer);
-    const struct pel_smooth_round round = {ring->center, {0, 0}, ring->inner,
-                                           ring->outer,  NULL,   NULL};
+    struct pel_smooth_outline outline;
+    struct pel_smooth_bow bow[2];
     PEL_ASSERT(legal);
     PEL_HINT(pel_in_subpixels(&ring->center, 1, ring->outer));
-    if (legal && ring->outer > ring->inner)
-        pel_smooth_round(surface, &round, paint);
+    if (!legal || ring->outer <= ring->inner)
+        return;
+    pel_smooth_round_set(&outline, bow, ring->center, ring->inner, ring->outer);
+    if (pel_smooth_round_begin(surface, &outline, paint))
+        pel_smooth_outline_paint(&outline);
 }

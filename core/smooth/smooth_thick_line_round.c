@@ -34,12 +34,13 @@ static uint8_t quadrant_of(struct pel_smooth_place d)
 }
 
 /* The half of a circle from a place on clockwise. */
-static void set_half(struct pel_smooth_bow *b, struct pel_point center,
-                     struct pel_smooth_place from, int32_t radius)
+static PEL_NOINLINE_32 void set_half(struct pel_smooth_bow *b,
+                                     struct pel_smooth_place from,
+                                     int32_t radius)
 {
-    b->center = center;
     b->from = from;
-    b->to = (struct pel_smooth_place){-from.x, -from.y};
+    b->to.x = -from.x;
+    b->to.y = -from.y;
     b->first = quadrant_of(from);
     b->count = 3;
     b->hole = false;
@@ -60,21 +61,33 @@ static PEL_NOINLINE void set_capsule(struct capsule *c,
     d.x += d.x == 0 && d.y == 0;
     const struct pel_smooth_place right = place_across(d, radius);
     const struct pel_smooth_place left = {-right.x, -right.y};
-    struct pel_smooth_outline *const o = &c->lines.outline;
-    c->lines.line = c->line;
-    c->lines.wide = pel_magnitude(d.x) > PEL_PX(32767);
-    o->bow = c->bow;
-    o->bows = 2;
-    o->cut = pel_smooth_cut;
-    o->others = 0;
-    o->twins = false;
-    o->spread = (struct pel_point){0, 0};
-    set_half(&c->bow[0], a, left, radius);
-    set_half(&c->bow[1], b, right, radius);
-    pel_smooth_lines_add(&c->lines, d, pel_smooth_far_place_at(b, left),
-                         pel_smooth_far_place_at(a, left));
-    pel_smooth_lines_add(&c->lines, d, pel_smooth_far_place_at(a, right),
-                         pel_smooth_far_place_at(b, right));
+    pel_smooth_lines_begin(&c->lines, c->bow, c->line,
+                           pel_magnitude(d.x) > PEL_PX(32767));
+    c->bow[0].center = a;
+    c->bow[1].center = b;
+    set_half(&c->bow[0], left, radius);
+    set_half(&c->bow[1], right, radius);
+    pel_smooth_lines_add(&c->lines, d, 0);
+    pel_smooth_lines_add(&c->lines, d, 1);
+}
+
+/* False: nothing is to be seen. */
+static PEL_NOINLINE_32 bool begin(const struct pel_surface *surface,
+                                  struct capsule *c,
+                                  const struct pel_thick_line_shape *line,
+                                  const struct pel_paint *paint)
+{
+    const bool legal = pel_thick_line_legal(line);
+    PEL_ASSERT(legal);
+    PEL_HINT(pel_thick_line_in_subpixels(line));
+    if (!legal || line->width <= 1)
+        return false;
+    const struct pel_rect box = pel_thick_line_box(line);
+    const struct pel_rect pixels = {pel_pixel_of(box.x0), pel_pixel_of(box.y0),
+                                    pel_pixel_of(box.x1) + 1,
+                                    pel_pixel_of(box.y1) + 1};
+    set_capsule(c, line);
+    return pel_smooth_outline_begin(&c->lines.outline, surface, &pixels, paint);
 }
 
 void pel_smooth_thick_line_round(const struct pel_surface *surface,
@@ -82,16 +95,6 @@ void pel_smooth_thick_line_round(const struct pel_surface *surface,
                                  const struct pel_paint *paint)
 {
     struct capsule c;
-    const bool legal = pel_thick_line_legal(line);
-    PEL_ASSERT(legal);
-    PEL_HINT(pel_thick_line_in_subpixels(line));
-    if (!legal || line->width <= 1)
-        return;
-    const struct pel_rect box = pel_thick_line_box(line);
-    const struct pel_rect pixels = {pel_pixel_of(box.x0), pel_pixel_of(box.y0),
-                                    pel_pixel_of(box.x1) + 1,
-                                    pel_pixel_of(box.y1) + 1};
-    set_capsule(&c, line);
-    if (pel_smooth_outline_begin(&c.lines.outline, surface, &pixels, paint))
+    if (begin(surface, &c, line, paint))
         pel_smooth_outline_paint(&c.lines.outline);
 }

@@ -110,8 +110,8 @@ static struct pel_rise rise_of(const struct pel_smooth_walk *k, int i,
 /* Adds the areas right of side i from the first column that is left on, or
  * takes them away. Columns up to the result are all alike; or the first one is
  * crossed, and that is the result. */
-static PEL_NOINLINE_32 int32_t add_side(struct pel_smooth_walk *k, int i,
-                                        int32_t end)
+static PEL_NOINLINE_32 int32_t add_side(const struct pel_smooth_walk *k, int i,
+                                        int32_t end, uint32_t *area)
 {
     const struct pel_smooth_above *const above = &k->of.row.above[i];
     struct pel_smooth_vertices edge = {0, above->from};
@@ -127,7 +127,7 @@ static PEL_NOINLINE_32 int32_t add_side(struct pel_smooth_walk *k, int i,
         p.height = height_of(k, &edge);
         if (x <= p.hi >> 16)
             end = pel_min(end, pel_max(x, p.lo >> 16));
-        pel_smooth_add(&p, 0 - (uint32_t)i, x, PEL_SMOOTH_SUMS, k->of.row.area);
+        pel_smooth_add(&p, 0 - (uint32_t)i, x, PEL_SMOOTH_SUMS, area);
         if (!ends)
             break;
         find_edge(k, i, &edge);
@@ -149,11 +149,11 @@ static int32_t end_of_sums(const uint32_t *area, int32_t x, int32_t end)
 void pel_smooth_rest_of_row(struct pel_smooth_walk *k)
 {
     struct pel_smooth_batch *const b = &k->of.batch;
-    uint32_t *const area = k->of.row.area;
+    uint32_t area[PEL_SMOOTH_SUMS];
     const int32_t x = k->rest.x0;
     for (int i = 0; i < PEL_SMOOTH_SUMS; i++)
         area[i] = PEL_SMOOTH_HALF;
-    int32_t end = add_side(k, 0, add_side(k, 1, k->rest.x1));
+    int32_t end = add_side(k, 0, add_side(k, 1, k->rest.x1, area), area);
     const uint32_t first = area[0] >> 24;
     const bool alike = end > x, whole = alike && (uint8_t)(first + 1) < 2;
     if (!whole)

@@ -49,7 +49,6 @@ struct pel_smooth_walk {
             uint8_t coverage[PEL_SMOOTH_BATCH_BYTES];
             struct pel_span full; /* up to here a batch of one row */
             struct pel_smooth_above above[2];
-            uint32_t area[PEL_SMOOTH_SUMS];
         } row;
     } of;
 };

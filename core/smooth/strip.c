@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-/* Bigger radii have one bulge for a strip. */
+/* Radii are seen in half the size until they are below this. */
 enum { SMALL = 40 * 256 };
 
 /* 2^23 / sqrt((i + 32.5) 2^25) - 128 */
@@ -71,8 +71,10 @@ void pel_smooth_circle_set(struct pel_smooth_circle *c, int32_t radius)
     if (r < 65536)
         while (r * r << 2 * c->shift < UINT32_C(1) << 30)
             c->shift++;
-    c->inverse =
-        pel_divide(radius < SMALL ? UINT32_C(1) << 20 : UINT32_C(1) << 28, r);
+    c->down = 0;
+    while (r >> c->down >= SMALL)
+        c->down++;
+    c->inverse = pel_divide(UINT32_C(1) << (20 + c->down), r);
 }
 
 /* The step is taken with 16 bits, and the rise with as many. A line that moves
@@ -90,70 +92,35 @@ struct pel_smooth_slope pel_smooth_slope_of(uint64_t step)
     return slope;
 }
 
-/* The bulge of a piece 1 px wide is 1 / 12 r (r / z)^3, where z, from .7 r to
- * r, is how far along the other axis it is. The cubic is off by less than .4 %.
- * The inverse is below 2^15, the cubic below 2^18. */
-void pel_smooth_strip_set(struct pel_smooth_strip *s)
-{
-    const struct pel_smooth_circle *const c = s->circle;
-    s->bulge = 0;
-    s->small = s->steep = false;
-    if (!c || s->at_near == s->at_far)
-        return;
-    s->small = c->oval || c->radius < SMALL;
-    if (s->small)
-        return;
-    const int32_t v = (s->near >> 1) + (s->far >> 1);
-    const int32_t u = (s->at_near >> 1) + (s->at_far >> 1);
-    s->steep = u > v;
-    const int32_t rest = pel_max(c->radius - ((s->steep ? u : v) >> 8), 0);
-    const uint32_t e = (uint32_t)rest * c->inverse >> 16; /* 2^-12 */
-    uint32_t p = 134129 + (1827020 * e >> 12);
-    p = 213042 + (p * e >> 12);
-    p = 65382 + (p * e >> 12);
-    s->bulge = (c->inverse * (p >> 2) >> 14) * 21845 >> 18;
-}
-
 /* The area between an arc and its chord of length l is
  *     l^3 / 12 r (1 + 3/10 q^2 + 9/56 q^4 ..), q = l / 2 r.
  * l = (du v + dv u) / (r sqrt(1 - q^2)), with (u, v) the chord's middle, since
  * the chord is at a right angle to the radius there. With r alone for that
  * divisor the sum is 1.71 at most, for a quarter of a circle; the cubic is off
  * by .0012 of it. du, dv in 2^-11 px, u and v in 2^-10 px: the products are
- * below 2^11.5 2^8 r 2^12 / r, then 2^31. In 2^-15 px. */
-static PEL_NOINLINE uint32_t small_bulge(const struct pel_smooth_circle *c,
-                                         const struct pel_smooth_arc_piece *p)
+ * below 2^11.5 2^8 r 2^12 / r, then 2^31. In 2^-15 px.
+ *
+ * From 40 px on r, u and v are 2^-down of what they are, and the inverse has 7
+ * bits: an area is below .006 px and off by 2 %, .03 of 255. There q is 2^down
+ * too large, and the cubic still below .001. */
+static PEL_NOINLINE uint32_t bulge_of(const struct pel_smooth_circle *c,
+                                      const struct pel_smooth_arc_piece *p)
 {
     if (c->oval)
         return c->oval->bulge(c->oval, p);
     const uint32_t du = (uint32_t)(p->u1 - p->u0) >> 5;
     const uint32_t dv = (uint32_t)(p->v0 - p->v1) >> 5;
-    const uint32_t u = (uint32_t)((p->u0 >> 7) + (p->u1 >> 7));
-    const uint32_t v = (uint32_t)((p->v0 >> 7) + (p->v1 >> 7));
+    const uint32_t u = (uint32_t)((p->u0 >> 7) + (p->u1 >> 7)) >> c->down;
+    const uint32_t v = (uint32_t)((p->v0 >> 7) + (p->v1 >> 7)) >> c->down;
     const uint32_t square = du * du + dv * dv;
     const uint32_t length = ((du * v + dv * u) >> 2) * c->inverse >> 20;
     const uint32_t three = ((square >> 4) * length >> 14) * c->inverse >> 14;
-    const uint32_t area = three * 21845 >> 16;
+    const uint32_t area = (three >> c->down) * 21845 >> 16;
     const uint32_t k = c->inverse >> 3;
     const uint32_t q = (square >> 6) * (k * k >> 4) >> 16;
     uint32_t more = 15469 + (120567 * q >> 16);
     more = 55255 + (more * q >> 16);
     return area + (area * (more * q >> 16) >> 16);
-}
-
-/* Of a piece that is so long along y if the strip is steep, else along x. */
-static inline uint32_t big_bulge(const struct pel_smooth_strip *s, uint32_t w)
-{
-    const uint32_t w1 = w >> 1, w2 = w1 * w1 >> 15, w3 = w2 * w1 >> 16;
-    return s->bulge * w3 >> 19;
-}
-
-static uint32_t bulge_of(const struct pel_smooth_strip *s,
-                         const struct pel_smooth_arc_piece *p)
-{
-    if (s->small)
-        return small_bulge(s->circle, p);
-    return big_bulge(s, (uint32_t)(s->steep ? p->v0 - p->v1 : p->u1 - p->u0));
 }
 
 /* What lies below a piece and above the strip's near end, 2^-15 px: the factors
@@ -163,7 +130,8 @@ static PEL_HOT_LOOP uint32_t area_of(const struct pel_smooth_strip *s,
 {
     const uint32_t w = (uint32_t)(p->u1 - p->u0);
     const uint32_t h = (uint32_t)(p->v0 - s->near + p->v1 - s->near);
-    return ((w >> 1) * (h >> 1) >> 16) + bulge_of(s, p);
+    return ((w >> 1) * (h >> 1) >> 16) +
+           (s->circle ? bulge_of(s->circle, p) : 0);
 }
 
 /* The height of the arc at a column's boundary, in the strip. Of a line the
@@ -179,51 +147,21 @@ static inline int32_t height_at(const struct pel_smooth_strip *s, int32_t u)
     return pel_max(s->near, pel_min(v, s->far));
 }
 
-/* The area of a column that holds a whole side, a pixel high; `sum` are both of
- * its ends, from the column's inner boundary on. */
-static inline uint32_t whole_area(const struct pel_smooth_strip *s,
-                                  uint32_t sum)
+uint32_t pel_smooth_column_area(const struct pel_smooth_strip *s, int32_t u)
 {
-    const struct pel_smooth_arc_piece p = {s->at_far, s->far, s->at_near,
-                                           s->near};
-    return (sum >> 2) + (s->small ? small_bulge(s->circle, &p) : s->bulge >> 5);
-}
-
-uint32_t pel_smooth_column_area(const struct pel_smooth_strip *s, int32_t u,
-                                struct pel_smooth_arc_piece *p)
-{
-    const bool last = s->at_near - u <= 65536, first = u <= s->at_far;
-    uint32_t whole = 0;
-    if (first) {
-        if (last && s->far - s->near == 65536)
-            return whole_area(s, (uint32_t)s->at_far + (uint32_t)s->at_near -
-                                     2 * (uint32_t)u);
-        whole = (uint32_t)(s->at_far - u) >> 1;
-    }
-    p->v0 = first ? s->far : p->u1 == u ? p->v1 : height_at(s, u);
-    p->u0 = first ? s->at_far : u;
-    p->u1 = last ? s->at_near : u + 65536;
-    p->v1 = last ? s->near : height_at(s, u + 65536);
-    return (whole * (uint32_t)(s->far - s->near) >> 16) + area_of(s, p);
+    const int32_t end = u + 65536;
+    const bool first = u <= s->at_far, last = s->at_near <= end;
+    const struct pel_smooth_arc_piece p = {
+        first ? s->at_far : u, first ? s->far : height_at(s, u),
+        last ? s->at_near : end, last ? s->near : height_at(s, end)};
+    const uint32_t whole = (uint32_t)(p.u0 - u) >> 1;
+    return (whole * (uint32_t)(s->far - s->near) >> 16) + area_of(s, &p);
 }
 
 #if !PEL_SMOOTH_TINY
 static inline void put_area(uint32_t area, uint32_t flip, uint8_t *to)
 {
     *to = pel_smooth_coverage((area ^ flip) + (flip & 32769));
-}
-
-/* As bulge_of does. */
-static PEL_ALWAYS_INLINE uint32_t
-bulge_between(const struct pel_smooth_strip *s, int32_t u0, int32_t v0,
-              int32_t u1, int32_t v1)
-{
-    if (s->bulge > 0)
-        return big_bulge(s, (uint32_t)(s->steep ? v0 - v1 : u1 - u0));
-    if (!s->small)
-        return 0;
-    const struct pel_smooth_arc_piece p = {u0, v0, u1, v1};
-    return small_bulge(s->circle, &p);
 }
 
 /* Columns from u on, of which the side leaves the first one. */
@@ -238,11 +176,8 @@ static void cover_columns(const struct pel_smooth_side *k, int32_t u,
         u += 65536;
         const int32_t u1 = pel_min(u, last);
         const int32_t v1 = u < last ? height_at(s, u) : near;
-        const uint32_t w = (uint32_t)(u1 - u0);
-        const uint32_t h = (uint32_t)(v0 - near + v1 - near);
-        put_area(whole + ((w >> 1) * (h >> 1) >> 16) +
-                     bulge_between(s, u0, v0, u1, v1),
-                 flip, to);
+        const struct pel_smooth_arc_piece p = {u0, v0, u1, v1};
+        put_area(whole + area_of(s, &p), flip, to);
         u0 = u1;
         v0 = v1;
         whole = 0;
@@ -255,13 +190,14 @@ void pel_smooth_side_cover(const struct pel_smooth_side *k, uint8_t *to)
     const uint32_t flip = k->left == k->rising ? 0 : ~UINT32_C(0);
     const int32_t x = k->left ? -k->columns.x1 : k->columns.x0;
     const int32_t u = (x * 256 - k->center) * 256;
-    const int32_t far = s->at_far - u, near = s->at_near - u;
+    const struct pel_smooth_arc_piece all = {s->at_far, s->far, s->at_near,
+                                             s->near};
     to += k->left ? k->bytes - 1 : 0;
-    if (near > 65536) {
+    if (s->at_near - u > 65536) {
         cover_columns(k, u, flip, to);
         return;
     }
-    put_area(whole_area(s, (uint32_t)(far + near)), flip, to);
+    put_area(((uint32_t)(s->at_far - u) >> 1) + area_of(s, &all), flip, to);
     if (k->bytes > 1)
         put_area(0, flip, to + (k->left ? -1 : 1));
 }

@@ -30,7 +30,6 @@ struct pel_smooth_arc_piece {
 /* What an ellipse has of its own, whose arcs are seen as a circle's of its
  * upright radius. */
 struct pel_smooth_oval {
-    int32_t reach; /* 2^-16 px, along x */
     /* How far from one axis the arc is at a distance from the other, 1/256 px:
      * from the upright one by what it is from the level one, or `down`. */
     int32_t (*at)(const struct pel_smooth_oval *oval, int32_t distance,
@@ -44,8 +43,9 @@ struct pel_smooth_oval {
 struct pel_smooth_circle {
     int32_t radius;   /* 1/256 px */
     int32_t reach;    /* how far it is from the upright axis, 2^-16 px */
-    int32_t shift;    /* of the square of the radius to 30..32 bits */
-    uint32_t inverse; /* 2^28 / radius, from 40 px on; else 2^20 / radius */
+    uint8_t shift;    /* of the square of the radius to 30..32 bits */
+    uint8_t down;     /* bits of the radius beyond 40 px */
+    uint32_t inverse; /* 2^(20 + down) / radius */
     const struct pel_smooth_oval *oval; /* or NULL */
 };
 
@@ -61,9 +61,6 @@ struct pel_smooth_strip {
     struct pel_smooth_slope slope;          /* .. which has this */
     int32_t near, far;       /* 0 <= near < far, at most a pixel more */
     int32_t at_near, at_far; /* where the arc is there */
-    uint32_t bulge;          /* of a piece 1 px wide, 2^-20 px */
-    bool steep;              /* such a piece is so long along y */
-    bool small;              /* each piece of the arc has its bulge */
 };
 
 /* Of a legal radius, and no oval. */
@@ -76,9 +73,6 @@ int32_t pel_smooth_arc_at(const struct pel_smooth_circle *circle,
 
 /* Of a line that moves so far in a row, px 2^-32. */
 struct pel_smooth_slope pel_smooth_slope_of(uint64_t step);
-
-/* Sets `bulge`, `steep` and `small` of a strip that has the rest. */
-void pel_smooth_strip_set(struct pel_smooth_strip *strip);
 
 /* The height of a strip. */
 static inline int32_t pel_smooth_height(const struct pel_smooth_strip *strip)
@@ -109,10 +103,9 @@ static inline uint8_t pel_smooth_coverage(uint32_t sum)
 }
 
 /* What lies between the axis and the arc in a column that it crosses, whose
- * inner boundary is at u. The piece is that of the column before, or has u1 =
- * INT32_MIN, and becomes that of this one. */
-uint32_t pel_smooth_column_area(const struct pel_smooth_strip *strip, int32_t u,
-                                struct pel_smooth_arc_piece *piece);
+ * inner boundary is at u. */
+uint32_t pel_smooth_column_area(const struct pel_smooth_strip *strip,
+                                int32_t u);
 
 /* A side of a whole row, the columns that it crosses, and the bytes of their
  * coverage: none out of sight. */

@@ -32,7 +32,6 @@ static const struct pel_smooth_strip *strip_of(
         return &to[-1].strip;
     s->crossings++;
     *to = *c;
-    pel_smooth_strip_set(&to->strip);
     return &to->strip;
 }
 
@@ -103,7 +102,6 @@ static void move_down(struct pel_smooth_strip *s, bool below)
             s->near > 0 ? pel_smooth_arc_at(c, s->near >> 8, false) : c->reach;
     }
     s->at_far = pel_min(s->at_far, s->at_near);
-    pel_smooth_strip_set(s);
 }
 
 /* Goes on to row y, where no side begins or ends. False: the row is another
@@ -118,7 +116,6 @@ static bool move_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
         }
         if (!o->other(o, y, c->other, c) || !is_whole(c))
             return false;
-        pel_smooth_strip_set(&c->strip);
         for (int32_t k = 0; k < s->n; k++)
             if (s->side[k].strip == &c->strip)
                 s->side[k].center = c->center;
