@@ -1,7 +1,7 @@
 #include "outline.h"
 
-/* Pixels that are painted at a time, beside full ones. */
-enum { PIXELS = PEL_SMOOTH_TINY ? 8 : 16 };
+/* Columns whose areas are summed at a time. */
+enum { COLUMNS = PEL_SMOOTH_TINY ? 8 : 16 };
 
 void pel_smooth_bow_set(struct pel_smooth_bow *b, int32_t radius)
 {
@@ -59,6 +59,8 @@ static inline bool find_quarter(const struct pel_smooth_outline *o,
     const bool below = quadrant < 2;
     const int32_t near = below ? down - o->spread.y : -256 - down;
     const int32_t far = pel_min(near + 256, b->circle.radius);
+    if (near >= far || far <= 0)
+        return false;
     s->circle = &b->circle;
     s->near = pel_max(near, 0) * 256;
     s->far = far * 256;
@@ -69,7 +71,7 @@ static inline bool find_quarter(const struct pel_smooth_outline *o,
     c->left = quadrant == 1 || quadrant == 2;
     c->rising = c->left != b->hole;
     c->center = c->left ? -b->center.x : b->center.x + o->spread.x;
-    return near < far && far > 0 && (!o->cut || o->cut(s, b, k, quadrant & 1));
+    return !o->cut || o->cut(s, b, k, quadrant & 1);
 }
 
 static PEL_NOINLINE_32 void visit_bow(const struct pel_smooth_outline *o,
@@ -121,73 +123,174 @@ void pel_smooth_visit(struct pel_smooth_outline *o, int32_t y,
         o->others(o, y, visitor);
 }
 
-/* Pixels from x on, and the next one, in which the areas right of its sides are
- * added up. */
-struct pixels {
-    struct pel_smooth_visitor visitor; /* first */
-    int32_t x, next;                   /* up to here all are like it */
-    int32_t sum;                       /* 2^-15 px */
-    struct pel_smooth_row row;
-    uint8_t coverage[PIXELS];
-};
-
-/* Adds what lies right of a side in the next pixel, or takes it away. */
-static void add_side(struct pel_smooth_visitor *pixels,
-                     struct pel_smooth_crossing *c)
-{
-    struct pixels *const p = (void *)pixels;
-    const struct pel_span columns = pel_smooth_crossing_columns(c);
-    int32_t area = pel_smooth_height(&c->strip);
-    if (p->x < columns.x1)
-        p->next = pel_min(p->next, pel_max(columns.x0, p->x + 1));
-    if (p->x < columns.x0)
-        return;
-    if (p->x < columns.x1) {
-        const int32_t u = pel_smooth_boundary(c, c->left ? ~p->x : p->x);
-        const int32_t part = (int32_t)pel_smooth_column_area(&c->strip, u);
-        area = c->left ? part : area - part;
-    }
-    p->sum += c->rising ? area : -area;
-}
-
 /* Where ends meet a sum may be more than a pixel. */
 static uint8_t coverage_of(int32_t sum)
 {
     return pel_smooth_coverage((uint32_t)pel_min(sum, 32768));
 }
 
-/* Those to the next full ones, or as many as there is room for. */
-static PEL_NOINLINE void find_pixels(struct pel_smooth_outline *o,
-                                     struct pixels *p)
+#if PEL_SMALL_CODE
+/* Pixels from row.x on, and the area right of the sides in the next one. */
+struct window {
+    struct pel_smooth_visitor visitor; /* first */
+    int32_t next;                      /* that pixel; up to `end` .. */
+    int32_t end;                       /* .. all are like it */
+    int32_t sum;                       /* 2^-15 px */
+    struct pel_smooth_row row;
+    struct {
+        uint8_t coverage[COLUMNS];
+    } of;
+};
+
+/* Adds what lies right of a side, or takes it away. */
+static void add_side(struct pel_smooth_visitor *window,
+                     struct pel_smooth_crossing *c)
 {
-    struct pel_smooth_row *const row = &p->row;
-    row->x = p->x;
+    struct window *const w = (void *)window;
+    struct pel_smooth_arc_piece piece = {0, 0, INT32_MIN, 0};
+    const struct pel_span columns = pel_smooth_crossing_columns(c);
+    const int32_t x = w->next;
+    int32_t area = pel_smooth_height(&c->strip);
+    if (x < columns.x1)
+        w->end = pel_min(w->end, pel_max(columns.x0, x + 1));
+    if (x < columns.x0)
+        return;
+    if (x < columns.x1) {
+        const int32_t u = pel_smooth_boundary(c, c->left ? ~x : x);
+        const int32_t part =
+            (int32_t)pel_smooth_column_area(&c->strip, u, &piece);
+        area = c->left ? part : area - part;
+    }
+    w->sum += c->rising ? area : -area;
+}
+
+/* Those to the next full or empty ones, or as many as there is room for. */
+static PEL_NOINLINE void find_coverage(struct pel_smooth_outline *o,
+                                       struct window *w)
+{
+    struct pel_smooth_row *const row = &w->row;
+    w->next = row->x;
     row->left = row->full = 0;
-    while (p->x < o->seen.x1 && row->left < PIXELS) {
-        p->next = o->seen.x1;
-        p->sum = 0;
-        pel_smooth_visit(o, row->y, &p->visitor);
-        const uint8_t coverage = coverage_of(p->sum);
-        if (coverage == 0 || coverage == 255) {
-            row->full = coverage ? p->next - p->x : 0;
-            p->x = p->next;
+    while (w->next < o->seen.x1 && row->left < COLUMNS) {
+        w->end = o->seen.x1;
+        w->sum = 0;
+        pel_smooth_visit(o, row->y, &w->visitor);
+        const uint8_t coverage = coverage_of(w->sum);
+        if ((uint8_t)(coverage + 1) < 2) {
+            row->full = coverage ? w->end - w->next : 0;
+            w->next = w->end;
             return;
         }
-        p->coverage[row->left++] = coverage;
-        p->x++;
+        w->of.coverage[row->left++] = coverage;
+        w->next++;
+    }
+}
+#else
+/* Some columns of a row, from row.x on, in which the areas right of its sides
+ * are added up. */
+struct window {
+    struct pel_smooth_visitor visitor; /* first */
+    int32_t n;
+    int32_t next; /* the first one behind them that a side crosses */
+    struct pel_smooth_row row;
+    union {
+        int32_t sum[COLUMNS + 1]; /* what each has more than the one before it,
+                                     and what those up to `next` have, 2^-15 px
+                                   */
+        uint8_t coverage[COLUMNS];
+    } of;
+};
+
+/* Adds what lies right of a side in columns, which it crosses, and behind them;
+ * or takes it away. */
+static void add_columns(struct window *w, const struct pel_smooth_crossing *c,
+                        struct pel_span columns)
+{
+    struct pel_smooth_arc_piece piece = {0, 0, INT32_MIN, 0};
+    const int32_t h = pel_smooth_height(&c->strip);
+    int32_t *sum = w->of.sum + (columns.x1 - w->row.x);
+    int32_t n = columns.x1 - columns.x0, x = c->left ? -columns.x1 : columns.x0;
+    *sum += c->rising ? h : -h;
+    sum -= c->left ? 1 : n;
+    for (; n > 0; n--, x++, sum += c->left ? -1 : 1) {
+        const int32_t u = pel_smooth_boundary(c, x);
+        int32_t area = (int32_t)pel_smooth_column_area(&c->strip, u, &piece);
+        if (!c->left)
+            area = h - area;
+        if (!c->rising)
+            area = -area;
+        sum[0] += area;
+        sum[1] -= area;
     }
 }
 
+static void add_side(struct pel_smooth_visitor *window,
+                     struct pel_smooth_crossing *c)
+{
+    struct window *const w = (void *)window;
+    const int32_t h = pel_smooth_height(&c->strip), end = w->row.x + w->n;
+    struct pel_span columns = pel_smooth_crossing_columns(c);
+    if (columns.x1 <= w->row.x)
+        w->of.sum[0] += c->rising ? h : -h;
+    if (columns.x1 > end)
+        w->next = pel_min(w->next, pel_max(columns.x0, end));
+    columns.x0 = pel_max(columns.x0, w->row.x);
+    columns.x1 = pel_min(columns.x1, end);
+    if (columns.x0 >= columns.x1)
+        return;
+    w->row.left = pel_max(w->row.left, columns.x1 - w->row.x);
+    add_columns(w, c, columns);
+}
+
+static void fill_window(struct pel_smooth_outline *o, struct window *w)
+{
+    w->n = pel_min(o->seen.x1 - w->row.x, COLUMNS);
+    w->next = o->seen.x1;
+    w->row.left = w->row.full = 0;
+    /* volatile: no call of memset, which may be the only one */
+    for (int32_t i = 0; i <= w->n; i++)
+        ((volatile int32_t *)w->of.sum)[i] = 0;
+    pel_smooth_visit(o, w->row.y, &w->visitor);
+}
+
+/* Sums become bytes, each after the sum that it lies in has been read. All
+ * pixels from those that a side crosses to `next` are full or empty, or the
+ * window is as long as it can be. */
+static PEL_NOINLINE void find_coverage(struct pel_smooth_outline *o,
+                                       struct window *w)
+{
+    struct pel_smooth_row *const row = &w->row;
+    fill_window(o, w);
+    int32_t sum = 0;
+    for (int32_t i = 0;; i++) {
+        sum += w->of.sum[i];
+        const uint8_t coverage = coverage_of(sum);
+        if (i >= row->left) {
+            row->left = i;
+            if (coverage == 255)
+                row->full = w->next - row->x - i;
+            if ((uint8_t)(coverage + 1) < 2)
+                return;
+            if (i == w->n) {
+                w->next = row->x + i;
+                return;
+            }
+        }
+        w->of.coverage[i] = coverage;
+    }
+}
+#endif
+
 static void paint_row(struct pel_smooth_outline *o, int32_t y)
 {
-    struct pixels p;
-    p.visitor.visit = add_side;
-    p.row.y = y;
-    p.row.right = 0;
-    p.row.coverage = p.coverage;
-    for (p.x = o->seen.x0; p.x < o->seen.x1;) {
-        find_pixels(o, &p);
-        pel_smooth_paint(&o->smooth, &p.row);
+    struct window w;
+    w.visitor.visit = add_side;
+    w.row.y = y;
+    w.row.right = 0;
+    w.row.coverage = w.of.coverage;
+    for (w.row.x = o->seen.x0; w.row.x < o->seen.x1; w.row.x = w.next) {
+        find_coverage(o, &w);
+        pel_smooth_paint(&o->smooth, &w.row);
     }
 }
 

@@ -7,11 +7,15 @@ static bool find_wall(struct pel_smooth_outline *o, int32_t y, int32_t i,
                       struct pel_smooth_crossing *c)
 {
     const struct pel_smooth_bow *const b = o->bow;
-    const int64_t from = (int64_t)b->center.y * 256;
+    const int32_t from = pel_max(b->center.y, y * 256);
+    const int32_t to = pel_min(b->center.y + o->spread.y, y * 256 + 256);
     c->left = c->rising = i == 0;
     c->center = i == 0 ? -b->center.x : b->center.x + o->spread.x;
+    c->strip.circle = NULL;
+    c->strip.near = 0;
+    c->strip.far = (to - from) * 256;
     c->strip.at_near = c->strip.at_far = b->circle.reach;
-    return pel_smooth_upright(c, y, from, from + (int64_t)o->spread.y * 256);
+    return from < to;
 }
 
 void pel_smooth_rounded_rectangle(const struct pel_surface *surface,

@@ -50,11 +50,10 @@ int32_t pel_smooth_arc_at(const struct pel_smooth_circle *c, int32_t distance,
     if (c->oval)
         return c->oval->at(c->oval, distance, down);
     const uint32_t r = (uint32_t)c->radius, d = (uint32_t)distance;
-    int32_t shift = -c->shift; /* 0 from 256 px on */
+    int32_t shift = 0;
     if (distance >= c->radius)
         return 0;
-    uint32_t n = r < 65536 ? (r * r - d * d) << 2 * c->shift
-                           : square_at(c, distance, &shift);
+    uint32_t n = r < 65536 ? r * r - d * d : square_at(c, distance, &shift);
     for (; n < UINT32_C(1) << 30; n <<= 2)
         shift--;
     const uint32_t root = root_of(n);
@@ -67,10 +66,6 @@ void pel_smooth_circle_set(struct pel_smooth_circle *c, int32_t radius)
     c->radius = radius;
     c->oval = NULL;
     c->reach = radius * 256;
-    c->shift = 0;
-    if (r < 65536)
-        while (r * r << 2 * c->shift < UINT32_C(1) << 30)
-            c->shift++;
     c->down = 0;
     while (r >> c->down >= SMALL)
         c->down++;
@@ -103,19 +98,21 @@ struct pel_smooth_slope pel_smooth_slope_of(uint64_t step)
  * From 40 px on r, u and v are 2^-down of what they are, and the inverse has 7
  * bits: an area is below .006 px and off by 2 %, .03 of 255. There q is 2^down
  * too large, and the cubic still below .001. */
-static PEL_NOINLINE uint32_t bulge_of(const struct pel_smooth_circle *c,
-                                      const struct pel_smooth_arc_piece *p)
+static PEL_ALWAYS_INLINE uint32_t bulge_of(const struct pel_smooth_circle *c,
+                                           const struct pel_smooth_arc_piece *p)
 {
     if (c->oval)
         return c->oval->bulge(c->oval, p);
     const uint32_t du = (uint32_t)(p->u1 - p->u0) >> 5;
     const uint32_t dv = (uint32_t)(p->v0 - p->v1) >> 5;
-    const uint32_t u = (uint32_t)((p->u0 >> 7) + (p->u1 >> 7)) >> c->down;
-    const uint32_t v = (uint32_t)((p->v0 >> 7) + (p->v1 >> 7)) >> c->down;
+    const uint32_t u = ((uint32_t)p->u0 + (uint32_t)p->u1) >> (7 + c->down);
+    const uint32_t v = ((uint32_t)p->v0 + (uint32_t)p->v1) >> (7 + c->down);
     const uint32_t square = du * du + dv * dv;
     const uint32_t length = ((du * v + dv * u) >> 2) * c->inverse >> 20;
     const uint32_t three = ((square >> 4) * length >> 14) * c->inverse >> 14;
     const uint32_t area = (three >> c->down) * 21845 >> 16;
+    if (c->down)
+        return area;
     const uint32_t k = c->inverse >> 3;
     const uint32_t q = (square >> 6) * (k * k >> 4) >> 16;
     uint32_t more = 15469 + (120567 * q >> 16);
@@ -147,15 +144,17 @@ static inline int32_t height_at(const struct pel_smooth_strip *s, int32_t u)
     return pel_max(s->near, pel_min(v, s->far));
 }
 
-uint32_t pel_smooth_column_area(const struct pel_smooth_strip *s, int32_t u)
+uint32_t pel_smooth_column_area(const struct pel_smooth_strip *s, int32_t u,
+                                struct pel_smooth_arc_piece *p)
 {
     const int32_t end = u + 65536;
     const bool first = u <= s->at_far, last = s->at_near <= end;
-    const struct pel_smooth_arc_piece p = {
-        first ? s->at_far : u, first ? s->far : height_at(s, u),
-        last ? s->at_near : end, last ? s->near : height_at(s, end)};
-    const uint32_t whole = (uint32_t)(p.u0 - u) >> 1;
-    return (whole * (uint32_t)(s->far - s->near) >> 16) + area_of(s, &p);
+    p->v0 = first ? s->far : p->u1 == u ? p->v1 : height_at(s, u);
+    p->u0 = first ? s->at_far : u;
+    p->u1 = last ? s->at_near : end;
+    p->v1 = last ? s->near : height_at(s, end);
+    const uint32_t whole = (uint32_t)(p->u0 - u) >> 1;
+    return (whole * (uint32_t)(s->far - s->near) >> 16) + area_of(s, p);
 }
 
 #if !PEL_SMOOTH_TINY

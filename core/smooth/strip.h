@@ -43,8 +43,7 @@ struct pel_smooth_oval {
 struct pel_smooth_circle {
     int32_t radius;   /* 1/256 px */
     int32_t reach;    /* how far it is from the upright axis, 2^-16 px */
-    uint8_t shift;    /* of the square of the radius to 30..32 bits */
-    uint8_t down;     /* bits of the radius beyond 40 px */
+    int32_t down;     /* bits of the radius beyond 40 px */
     uint32_t inverse; /* 2^(20 + down) / radius */
     const struct pel_smooth_oval *oval; /* or NULL */
 };
@@ -103,9 +102,10 @@ static inline uint8_t pel_smooth_coverage(uint32_t sum)
 }
 
 /* What lies between the axis and the arc in a column that it crosses, whose
- * inner boundary is at u. */
-uint32_t pel_smooth_column_area(const struct pel_smooth_strip *strip,
-                                int32_t u);
+ * inner boundary is at u. The piece is that of the column before, or has u1 =
+ * INT32_MIN, and becomes that of this one. */
+uint32_t pel_smooth_column_area(const struct pel_smooth_strip *strip, int32_t u,
+                                struct pel_smooth_arc_piece *piece);
 
 /* A side of a whole row, the columns that it crosses, and the bytes of their
  * coverage: none out of sight. */
