@@ -13,8 +13,9 @@ struct dasher {
                                          is left of the present one where a part
                                          begins, and here */
     int32_t start_index, index; /* of the present one; an even one is a dash */
-    struct pel_point start, at;
-    bool has_length; /* this part, up to here */
+    struct pel_point start, at, cut; /* the latest end on a line, */
+    int32_t length, along;           /* whose length it is, and how far it is */
+    bool has_length;                 /* this part, up to here */
 };
 
 typedef char
@@ -57,11 +58,11 @@ static void skip(struct dasher *d, int32_t length)
 static enum pel_status pass(struct dasher *d, enum pel_verb verb,
                             const struct pel_point *p)
 {
-    return d->stroker.pen.draw(&d->stroker.pen, verb, p);
+    return pel_stroker_draw(&d->stroker.pen, verb, p);
 }
 
 /* Of legal points: sqrt(2) 2^24 in 1/256 px, times 32, below 2^29.6. */
-static int32_t distance(const struct pel_point *a, const struct pel_point *b)
+static PEL_NOINLINE_32 int32_t distance(const struct pel_point *a, const struct pel_point *b)
 {
     struct pel_root root;
     const uint64_t square =
@@ -85,48 +86,51 @@ static bool is_seen(const struct dasher *d, const struct pel_point *p)
            pel_min(d->at.y, p->y) <= d->stroker.pen.bottom;
 }
 
+/* Sets the end that is so far along the line to p. */
+static PEL_NOINLINE_32 void set_cut(struct dasher *d, const struct pel_point *p)
+{
+    d->cut.x = d->at.x + part_of(p->x - d->at.x, d->along, d->length);
+    d->cut.y = d->at.y + part_of(p->y - d->at.y, d->along, d->length);
+}
+
 /* Every dash and gap that ends on the line to p. */
-static enum pel_status cut_line(struct dasher *d, const struct pel_point *p,
-                                int32_t length)
+static enum pel_status cut_line(struct dasher *d, const struct pel_point *p)
 {
     enum pel_status status = PEL_OK;
-    int32_t along = 0;
-    for (; length - along >= d->left && status == PEL_OK; next(d)) {
-        along += d->left;
-        const struct pel_point cut = {
-            d->at.x + part_of(p->x - d->at.x, along, length),
-            d->at.y + part_of(p->y - d->at.y, along, length)};
-        status = pass(d, is_dash(d) ? PEL_LINE : PEL_MOVE, &cut);
+    d->along = 0;
+    for (; d->length - d->along >= d->left && status == PEL_OK; next(d)) {
+        d->along += d->left;
+        set_cut(d, p);
+        status = pass(d, is_dash(d) ? PEL_LINE : PEL_MOVE, &d->cut);
     }
-    d->left -= length - along;
-    return status == PEL_OK && is_dash(d) && along < length
+    d->left -= d->length - d->along;
+    return status == PEL_OK && is_dash(d) && d->along < d->length
                ? pass(d, PEL_LINE, p)
                : status;
 }
 
 /* A dash that comes to a line that is not near the rows goes along it, where
  * nothing is seen of it; another may go on from its end. */
-static enum pel_status pass_line(struct dasher *d, const struct pel_point *p,
-                                 int32_t length)
+static enum pel_status pass_line(struct dasher *d, const struct pel_point *p)
 {
     enum pel_status status = PEL_OK;
     if (is_dash(d))
         status = pass(d, PEL_LINE, p);
-    skip(d, length % d->period);
+    skip(d, d->length % d->period);
     return status == PEL_OK && is_dash(d) ? pass(d, PEL_MOVE, p) : status;
 }
 
 /* Where a part has had no length yet it may become a dot. */
-static enum pel_status line_to(struct dasher *d, struct pel_point p)
+static enum pel_status line_to(struct dasher *d, const struct pel_point *p)
 {
-    const int32_t length = distance(&d->at, &p);
-    d->stroker.direction = (struct pel_point){p.x - d->at.x, p.y - d->at.y};
-    if (length == 0)
-        return is_dash(d) && !d->has_length ? pass(d, PEL_LINE, &p) : PEL_OK;
+    d->length = distance(&d->at, p);
+    d->stroker.direction = (struct pel_point){p->x - d->at.x, p->y - d->at.y};
+    if (d->length == 0)
+        return is_dash(d) && !d->has_length ? pass(d, PEL_LINE, p) : PEL_OK;
     d->has_length = true;
     const enum pel_status status =
-        is_seen(d, &p) ? cut_line(d, &p, length) : pass_line(d, &p, length);
-    d->at = p;
+        is_seen(d, p) ? cut_line(d, p) : pass_line(d, p);
+    d->at = *p;
     return status;
 }
 
@@ -136,10 +140,8 @@ static enum pel_status draw(struct pel_pen *pen, enum pel_verb verb,
     struct dasher *const d = (struct dasher *)(void *)pen;
     if (verb != PEL_CLOSE && p && !pel_stroker_takes(&d->stroker, p))
         return PEL_ERROR_RANGE;
-    if (verb == PEL_LINE)
-        return line_to(d, *p);
-    if (verb == PEL_CLOSE)
-        return line_to(d, d->start);
+    if (verb != PEL_MOVE)
+        return line_to(d, verb == PEL_CLOSE ? &d->start : p);
     if (p)
         d->start = d->at = *p;
     d->index = d->start_index;

@@ -25,7 +25,7 @@ void pel_fill_pen_begin(struct pel_fill_pen *f, struct pel_sides *sides)
     sides->at = f->start;
 }
 
-enum pel_status pel_path_walk_fill(const void *shape, struct pel_sides *sides)
+enum pel_status pel_path_walk_sides(const void *shape, struct pel_sides *sides)
 {
     struct pel_fill_pen f;
     pel_fill_pen_begin(&f, sides);
@@ -107,7 +107,7 @@ enum pel_status pel_path_fill(const struct pel_surface *surface,
                               const struct pel_paint *paint, void *scratch,
                               size_t size)
 {
-    const struct pel_outline_source source = {pel_path_walk_fill, shape};
+    const struct pel_outline_source source = {pel_path_walk_sides, shape};
     const struct pel_scratch memory = {scratch, size};
     return shape ? pel_sides_fill(surface, &source, shape->rule, paint, &memory)
                  : PEL_ERROR_NULL;
@@ -144,6 +144,6 @@ bool pel_sides_hit(const struct pel_outline_source *source,
 
 bool pel_hit_path_fill(const struct pel_path_shape *shape, int32_t x, int32_t y)
 {
-    const struct pel_outline_source source = {pel_path_walk_fill, shape};
+    const struct pel_outline_source source = {pel_path_walk_sides, shape};
     return pel_sides_hit(&source, shape->rule, x, y);
 }

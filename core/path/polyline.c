@@ -25,6 +25,7 @@ enum pel_status pel_polyline_walk(const void *shape, struct pel_pen *pen)
     enum pel_status status = PEL_OK;
     if (line->n > 0 && !line->v)
         return PEL_ERROR_NULL;
+    PEL_HINT(pel_in_subpixels(line->v, line->n, 0));
     for (int32_t i = 0; i < line->n && status == PEL_OK; i++) {
         if (i > 0)
             i = pel_max(i, skip(line, i, pen) - 1);

@@ -33,7 +33,7 @@ struct pel_sides {
 /* Memory of a shape that is drawn, at the head of the scratch memory, as stacks
  * are small: what takes the sides, and behind it the pens. */
 enum {
-    PEL_PENS_SIZE = 86 * sizeof(void *),
+    PEL_PENS_SIZE = 90 * sizeof(void *),
     PEL_TAKER_SIZE = PEL_STROKE_SCRATCH_SIZE(0, 0) - PEL_PENS_SIZE
 };
 
@@ -81,7 +81,7 @@ bool pel_sides_hit(const struct pel_outline_source *source,
                    enum pel_fill_rule rule, int32_t x, int32_t y);
 
 /* The source of the fill of a struct pel_path_shape. */
-enum pel_status pel_path_walk_fill(const void *shape, struct pel_sides *sides);
+enum pel_status pel_path_walk_sides(const void *shape, struct pel_sides *sides);
 
 /* The lines of the shapes of strokes. */
 struct pel_pen;

@@ -9,7 +9,7 @@ struct smooth {
 };
 
 /* Before the edges, which are aligned to 8. */
-enum { HEAD = 144 * sizeof(void *) };
+enum { HEAD = 148 * sizeof(void *) };
 
 typedef char pel_smooth_path_fits[sizeof(struct smooth) + PEL_PENS_SIZE <= HEAD
                                       ? 1
@@ -79,7 +79,7 @@ enum pel_status pel_smooth_path_fill(const struct pel_surface *surface,
                                      const struct pel_paint *paint,
                                      void *scratch, size_t size)
 {
-    const struct pel_outline_source source = {pel_path_walk_fill, shape};
+    const struct pel_outline_source source = {pel_path_walk_sides, shape};
     const struct pel_scratch memory = {scratch, size};
     return shape
                ? pel_sides_smooth(surface, &source, shape->rule, paint, &memory)

@@ -12,6 +12,7 @@ struct bits {
     struct pel_span *border; /* of the piece, a row each */
     uint32_t *bits;
     int32_t words;      /* of a row */
+    int32_t most;       /* rows at a time */
     int32_t first, end; /* rows of the piece */
     struct pel_point from;
     struct pel_edge edge;
@@ -79,43 +80,56 @@ static void set_row(struct bits *b, int32_t row)
     b->border[row] = nothing;
 }
 
-static void end_piece(struct pel_sides *sides)
+static PEL_NOINLINE_32 void set_rows(struct bits *b)
 {
-    struct bits *const b = (struct bits *)(void *)sides;
-    add(sides, sides->start.x, sides->start.y);
-    sides->in_piece = false;
     for (int32_t y = b->first; y < b->end; y++)
-        set_row(b, y - sides->y0);
+        set_row(b, y - b->sides.y0);
     b->first = INT32_MAX;
     b->end = INT32_MIN;
 }
 
+static void end_piece(struct pel_sides *sides)
+{
+    add(sides, sides->start.x, sides->start.y);
+    sides->in_piece = false;
+    set_rows((struct bits *)(void *)sides);
+}
+
 static const struct pel_sides_kind bits_kind = {.add = add, .end = end_piece};
 
-/* Of `most` rows from y on that are inside the clip. */
-static PEL_NOINLINE struct bits *begin(void *memory,
-                                       const struct pel_rect *clip, int32_t y,
-                                       int32_t most)
+/* Those of no row yet, above the first one; `most` at a time. */
+static struct bits *begin(void *memory, const struct pel_rect *clip,
+                          int32_t most)
 {
     struct bits *const b = memory;
-    const int32_t n = pel_min(most, clip->y1 - y);
     b->sides.kind = &bits_kind;
     b->sides.memory = (char *)b + PEL_TAKER_SIZE;
     b->sides.in_piece = false;
-    pel_sides_set_rows(&b->sides, y, y + n);
+    b->sides.y1 = clip->y0;
     b->x0 = clip->x0;
     b->x1 = clip->x1;
     b->words = (b->x1 - b->x0 + 31) >> 5;
     b->border =
         (struct pel_span *)(void *)((char *)b + PEL_STROKE_SCRATCH_SIZE(0, 0));
-    b->bits = (uint32_t *)(void *)(b->border + n);
+    b->most = most;
     b->first = INT32_MAX;
     b->end = INT32_MIN;
+    return b;
+}
+
+/* Goes on to the rows below; false: there are none in the clip. */
+static PEL_NOINLINE bool next_rows(struct bits *b, const struct pel_rect *clip)
+{
+    if (clip->x0 >= clip->x1 || b->sides.y1 >= clip->y1)
+        return false;
+    const int32_t y = b->sides.y1, n = pel_min(b->most, clip->y1 - y);
+    pel_sides_set_rows(&b->sides, y, y + n);
+    b->bits = (uint32_t *)(void *)(b->border + n);
     for (int32_t i = 0; i < n; i++)
         b->border[i] = nothing;
     for (int32_t i = 0; i < n * b->words; i++)
         b->bits[i] = 0;
-    return b;
+    return true;
 }
 
 /* The first place from `from` on, up to `end`, whose bit is not `set`. */
@@ -155,8 +169,8 @@ static PEL_NOINLINE void paint_rows(const struct bits *b,
 }
 
 /* How many rows of the surface there is memory for, up to 2^16. */
-static PEL_NOINLINE int32_t rows_in(const struct pel_scratch *scratch,
-                                    const struct pel_rect *clip)
+static int32_t rows_in(const struct pel_scratch *scratch,
+                       const struct pel_rect *clip)
 {
     const size_t head = PEL_STROKE_SCRATCH_SIZE(0, 0);
     const uint32_t row =
@@ -167,25 +181,35 @@ static PEL_NOINLINE int32_t rows_in(const struct pel_scratch *scratch,
     return (int32_t)pel_divide(size >> 30 ? 1 << 30 : size, row);
 }
 
+static PEL_NOINLINE enum pel_status begin_fill(
+    const struct pel_surface *surface, const struct pel_paint *paint,
+    const struct pel_scratch *scratch)
+{
+    if (!surface || !paint || !scratch->memory)
+        return PEL_ERROR_NULL;
+    const struct pel_rect *const clip = &surface->clip;
+    if (clip->x0 >= clip->x1)
+        return PEL_OK;
+    const int32_t most = rows_in(scratch, clip);
+    if (most < 1)
+        return PEL_ERROR_SCRATCH;
+    begin(scratch->memory, clip, most);
+    return PEL_OK;
+}
+
 enum pel_status pel_stroke_fill(const struct pel_surface *surface,
                                 const struct pel_lines *lines,
                                 const struct pel_paint *paint,
                                 const struct pel_scratch *scratch)
 {
-    if (!surface || !paint || !scratch->memory)
-        return PEL_ERROR_NULL;
-    const struct pel_rect *const clip = &surface->clip;
-    const int32_t most = pel_rect_empty(clip) ? 1 : rows_in(scratch, clip);
-    if (most < 1)
-        return PEL_ERROR_SCRATCH;
-    for (int32_t y = clip->y0; y < clip->y1 && clip->x0 < clip->x1; y += most) {
-        struct bits *const b = begin(scratch->memory, clip, y, most);
-        const enum pel_status status = pel_stroke_walk(lines, &b->sides);
-        if (status != PEL_OK)
-            return status;
-        paint_rows(b, surface, paint);
+    struct bits *const b = scratch->memory;
+    enum pel_status status = begin_fill(surface, paint, scratch);
+    while (status == PEL_OK && next_rows(b, &surface->clip)) {
+        status = pel_stroke_walk(lines, &b->sides);
+        if (status == PEL_OK)
+            paint_rows(b, surface, paint);
     }
-    return PEL_OK;
+    return status;
 }
 
 bool pel_stroke_hit(const struct pel_lines *lines, int32_t x, int32_t y)
@@ -194,6 +218,7 @@ bool pel_stroke_hit(const struct pel_lines *lines, int32_t x, int32_t y)
     uint64_t memory[PEL_STROKE_SCRATCH_SIZE(1, 1) / 8 + 1];
     if (!pel_pixel_legal(x, y))
         return false;
-    struct bits *const b = begin(memory, &pixel, y, 1);
-    return pel_stroke_walk(lines, &b->sides) == PEL_OK && *b->bits;
+    struct bits *const b = begin(memory, &pixel, 1);
+    return next_rows(b, &pixel) &&
+           pel_stroke_walk(lines, &b->sides) == PEL_OK && *b->bits;
 }

@@ -114,13 +114,28 @@ void pel_border_move(struct pel_stroker *s, const struct pel_stroke_line *line,
     sides->in_piece = sides->kind->end;
 }
 
-/* The outer side, as a wedge from the point; or as a border that goes back on
- * the inner side, straight where the lines are so long that both cover what
- * lies between that and the point. */
+/* Back from beside line b to beside a, where the turn began: through the point,
+ * or on the inner side, straight where both lines are so long that they cover
+ * what lies between that and the point. */
+static PEL_NOINLINE_32 void turn_back(struct pel_stroker *s,
+                                      const struct pel_stroke_line *a,
+                                      const struct pel_stroke_line *b,
+                                      int32_t side)
+{
+    const bool pieces = s->pen.sides->kind->end;
+    if (!pieces)
+        pel_border_move(s, b, -side);
+    if (pieces || !a->is_long || !b->is_long)
+        pel_border_to(s, 0, 0);
+    if (!pieces)
+        pel_border_beside(s, a, -side);
+    pel_border_end(s);
+}
+
+/* The outer side, and back. */
 void pel_stroke_join(struct pel_stroker *s, const struct pel_stroke_line *n)
 {
     const struct pel_stroke_line *const m = &s->last;
-    const bool pieces = s->pen.sides->kind->end;
     s->p = s->at;
     if (s->p.y < s->pen.top || s->p.y > s->pen.bottom)
         return;
@@ -135,13 +150,7 @@ void pel_stroke_join(struct pel_stroker *s, const struct pel_stroke_line *n)
     else if (s->stroke->join == PEL_JOIN_MITER)
         miter(s, side, m, n);
     pel_border_beside(s, b, side);
-    if (!pieces)
-        pel_border_move(s, b, -side);
-    if (pieces || !m->is_long || !n->is_long)
-        pel_border_to(s, 0, 0);
-    if (!pieces)
-        pel_border_beside(s, a, -side);
-    pel_border_end(s);
+    turn_back(s, a, b, side);
 }
 
 /* From one side of s->p around it to the other. */

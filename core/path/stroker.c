@@ -19,10 +19,11 @@ static int32_t across(int32_t u, int32_t half)
 }
 
 /* Of the line to p; a dot that is not of a dash lies to the right. */
-static PEL_NOINLINE void set_line(struct pel_stroker *s, struct pel_point p)
+static PEL_NOINLINE void set_line(struct pel_stroker *s,
+                                  const struct pel_point *p)
 {
     struct pel_stroke_line *const line = &s->line;
-    const struct pel_point step = {p.x - s->at.x, p.y - s->at.y};
+    const struct pel_point step = {p->x - s->at.x, p->y - s->at.y};
     const bool dashed = s->direction.x || s->direction.y;
     struct pel_point direction = dashed ? s->direction : step;
     int shift;
@@ -43,11 +44,12 @@ static PEL_NOINLINE void set_line(struct pel_stroker *s, struct pel_point p)
 
 /* The two sides of the line from s->at to p: the one on the left goes along it,
  * the other one back. */
-static PEL_NOINLINE void draw_sides(struct pel_stroker *s, struct pel_point p)
+static PEL_NOINLINE void draw_sides(struct pel_stroker *s,
+                                    const struct pel_point *p)
 {
     s->p = s->at;
     pel_border_move(s, &s->line, 1);
-    s->p = p;
+    s->p = *p;
     pel_border_beside(s, &s->line, 1);
     pel_border_move(s, &s->line, -1);
     s->p = s->at;
@@ -55,25 +57,24 @@ static PEL_NOINLINE void draw_sides(struct pel_stroker *s, struct pel_point p)
     pel_border_end(s);
 }
 
-static bool is_seen(const struct pel_stroker *s, struct pel_point a,
-                    struct pel_point b)
+static bool is_seen(const struct pel_stroker *s, int32_t y)
 {
-    return pel_max(a.y, b.y) + s->reach >= s->pen.sides->top &&
-           pel_min(a.y, b.y) - s->reach <= s->pen.sides->bottom;
+    return pel_max(s->at.y, y) >= s->pen.top &&
+           pel_min(s->at.y, y) <= s->pen.bottom;
 }
 
 /* Lines that are next to each other are drawn, or not, alike near the point
  * between them: where it is near the rows both are. */
-static void line_to(struct pel_stroker *s, struct pel_point p)
+static void line_to(struct pel_stroker *s, const struct pel_point *p)
 {
     struct pel_stroke_line *const line = &s->line;
-    line->seen = s->half > 0 && is_seen(s, s->at, p);
+    line->seen = s->half > 0 && is_seen(s, p->y);
     if (line->seen)
         set_line(s, p);
     if (!s->has_line)
         s->first = *line;
     s->has_point = true;
-    if (p.x == s->at.x && p.y == s->at.y)
+    if (p->x == s->at.x && p->y == s->at.y)
         return;
     if (line->seen)
         draw_sides(s, p);
@@ -81,7 +82,7 @@ static void line_to(struct pel_stroker *s, struct pel_point p)
         pel_stroke_join(s, line);
     s->has_line = true;
     s->last = *line;
-    s->at = p;
+    s->at = *p;
 }
 
 static void end_open(struct pel_stroker *s)
@@ -96,21 +97,21 @@ static void end_open(struct pel_stroker *s)
 
 static void end_closed(struct pel_stroker *s)
 {
-    line_to(s, s->start);
+    line_to(s, &s->start);
     if (!s->has_line && s->first.seen)
         pel_stroke_dot(s);
     if (s->has_line && s->last.seen && s->first.seen)
         pel_stroke_join(s, &s->first);
 }
 
-static enum pel_status draw(struct pel_pen *pen, enum pel_verb verb,
-                            const struct pel_point *p)
+enum pel_status pel_stroker_draw(struct pel_pen *pen, enum pel_verb verb,
+                                 const struct pel_point *p)
 {
     struct pel_stroker *const s = (struct pel_stroker *)(void *)pen;
     if (verb != PEL_CLOSE && p && !pel_stroker_takes(s, p))
         return PEL_ERROR_RANGE;
     if (verb == PEL_LINE)
-        line_to(s, *p);
+        line_to(s, p);
     else if (verb == PEL_CLOSE)
         end_closed(s);
     else
@@ -152,7 +153,7 @@ enum pel_status pel_stroker_begin(struct pel_stroker *s,
     s->reach += 2;
     s->direction = (struct pel_point){0, 0};
     s->has_line = s->has_point = false;
-    s->pen = (struct pel_pen){draw,
+    s->pen = (struct pel_pen){pel_stroker_draw,
                               sides->top - s->reach,
                               sides->bottom + s->reach,
                               PEL_COORDINATE_MAX - s->reach,

@@ -66,6 +66,10 @@ enum pel_status pel_stroker_begin(struct pel_stroker *s,
                                   const struct pel_stroke *stroke,
                                   struct pel_sides *sides);
 
+/* What its pen draws. */
+enum pel_status pel_stroker_draw(struct pel_pen *pen, enum pel_verb verb,
+                                 const struct pel_point *p);
+
 /* Is all that may be drawn at a point in range? */
 static inline bool pel_stroker_takes(const struct pel_stroker *s,
                                      const struct pel_point *p)

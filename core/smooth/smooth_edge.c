@@ -14,13 +14,13 @@
         }                \
     } while (0)
 
-/* floor(n 2^32 / d), n < d < 2^25. */
-static PEL_NOINLINE_32 uint32_t fraction(uint32_t n, uint32_t d)
+/* floor(n 2^bits / d), n < d < 2^25; bits are 16 or 32. */
+static PEL_NOINLINE_32 uint32_t fraction(uint32_t n, uint32_t d, int bits)
 {
     if (PEL_64BIT || PEL_LONG_MULTIPLY)
-        return pel_divide((uint64_t)n << 32, d);
+        return pel_divide((uint64_t)n << bits, d);
     uint32_t q = 0;
-    for (int bits = 32; bits > 0; bits -= 4) {
+    for (; bits > 0; bits -= 4) {
         ADD_BIT(n, d, q);
         ADD_BIT(n, d, q);
         ADD_BIT(n, d, q);
@@ -29,7 +29,8 @@ static PEL_NOINLINE_32 uint32_t fraction(uint32_t n, uint32_t d)
     return q;
 }
 
-/* The longer way of the two is `whole` times the shorter one and a part. */
+/* The longer way of the two is `whole` times the shorter one and a part, of
+ * which 16 bits tell of steep edges. */
 int64_t pel_smooth_slope(const struct pel_point *a, const struct pel_point *b,
                          struct pel_rise *rise)
 {
@@ -39,15 +40,15 @@ int64_t pel_smooth_slope(const struct pel_point *a, const struct pel_point *b,
     uint32_t part = 0, inverse = 0;
     if (low > 0) {
         whole = pel_floor_divide(high, low, &rest);
-        part = fraction((uint32_t)rest, (uint32_t)low);
+        part = fraction((uint32_t)rest, (uint32_t)low, dx < dy ? 16 : 32);
     }
     if (low < high)
-        inverse = fraction((uint32_t)low, (uint32_t)high);
+        inverse = fraction((uint32_t)low, (uint32_t)high, 32);
     rise->steep = dx < dy;
     if (dx <= dy >> 14)
         rise->value = 16384 * 32640;
     else if (dx < dy)
-        rise->value = (uint32_t)whole * 32640 + ((part >> 16) * 32640 >> 16);
+        rise->value = (uint32_t)whole * 32640 + (part * 32640 >> 16);
     else if (dx == dy)
         rise->value = PEL_SMOOTH_FULL;
     else

@@ -5,18 +5,40 @@
 /* Numbers of x, in 2^-16 px, that are so close lie within the error. */
 enum { SAME = 4 };
 
-/* y in 2^-16 of row y0. */
-static int32_t in_row(int32_t y, int32_t y0)
+/* y in 256ths of row y0. */
+static uint16_t in_row(int32_t y, int32_t y0)
 {
-    return pel_max(0, pel_min(y - PEL_PX(y0), 256)) * 256;
+    return (uint16_t)pel_max(0, pel_min(y - PEL_PX(y0), 256));
 }
 
-/* px 2^-16 at t; the product is below 2^41 2^16. A unit beyond the ends of the
- * range is cut off. */
+/* Where it begins in the row, and ends, in 2^-16. */
+static inline int32_t begin_of(const struct pel_smooth_edge *e)
+{
+    return e->begin * 256;
+}
+
+static inline int32_t end_of(const struct pel_smooth_edge *e)
+{
+    return e->end * 256;
+}
+
+/* step t; the product is below 2^57, of 2^15 px a row or less two of 32 bits.
+ */
+static uint64_t way_of(int64_t step, int32_t t)
+{
+    if (t == PEL_SMOOTH_ROW)
+        return (uint64_t)step << 16;
+    if ((step + INT64_C(0x80000000)) >> 32)
+        return pel_times((uint64_t)step, t);
+    const int32_t high = (int32_t)step >> 16;
+    return ((uint64_t)(int64_t)(high * t) << 16) +
+           ((uint32_t)step & 0xFFFF) * (uint32_t)t;
+}
+
+/* px 2^-16 at t. A unit beyond the ends of the range is cut off. */
 static int32_t x_at(const struct pel_smooth_edge *e, int32_t t)
 {
-    uint64_t way = (uint64_t)(e->step >> 16);
-    way = t == PEL_SMOOTH_ROW ? way << 16 : t ? pel_times(way, t) : 0;
+    const uint64_t way = way_of(e->step >> 16, t);
     const int64_t x = (e->at + (int64_t)way) >> 16;
     return x < INT32_MIN ? INT32_MIN : x > INT32_MAX ? INT32_MAX : (int32_t)x;
 }
@@ -32,34 +54,31 @@ static bool is_before(const struct pel_smooth_edge *a,
 }
 
 /* Where the next edge begins or ends. */
-static int32_t next_end(const struct pel_smooth_sweep *w, int32_t y, int32_t t)
+static int32_t next_end(const struct pel_smooth_sweep *w, int32_t t)
 {
     int32_t end = PEL_SMOOTH_ROW;
     for (int32_t i = 0; i < w->active; i++) {
         const struct pel_smooth_edge *const e = &w->edge[w->order[i]];
-        const int32_t top = in_row(e->top, y), bottom = in_row(e->bottom, y);
-        if (top > t)
-            end = pel_min(end, top);
-        else if (bottom > t)
-            end = pel_min(end, bottom);
+        if (begin_of(e) > t)
+            end = pel_min(end, begin_of(e));
+        else if (end_of(e) > t)
+            end = pel_min(end, end_of(e));
     }
     return end;
 }
 
 /* Sorts those that cross the part from t to `end` by x: how many; the others
  * come behind them. */
-static int32_t sort_part(struct pel_smooth_sweep *w, int32_t y, int32_t t,
-                         int32_t end)
+static int32_t sort_part(struct pel_smooth_sweep *w, int32_t t, int32_t end)
 {
     int32_t live = 0;
     for (int32_t i = 0; i < w->active; i++) {
         const int32_t at = w->order[i];
         struct pel_smooth_edge *const e = &w->edge[at];
         int32_t k = live;
-        const int32_t top = in_row(e->top, y);
-        if (top > t || in_row(e->bottom, y) < end)
+        if (begin_of(e) > t || end_of(e) < end)
             continue;
-        e->x0 = top < t ? e->x1 : x_at(e, t); /* where the part above ended */
+        e->x0 = begin_of(e) < t ? e->x1 : x_at(e, t); /* where the part above ended */
         e->x1 = x_at(e, end);
         w->order[i] = w->order[live++];
         for (; k > 0 && is_before(e, &w->edge[w->order[k - 1]]); k--)
@@ -125,7 +144,7 @@ static void add_piece(struct pel_smooth_sweep *w,
 
 /* Edges of a row, those in w->order, whose x no other one reaches. */
 struct group {
-    int32_t y, from; /* only edges from there on, px 2^-16, are still to add */
+    int32_t from; /* only edges from there on, px 2^-16, are still to add */
     int32_t base;    /* the winding number left of it .. */
     int32_t right;   /* .. and right of it, or of the last border */
     bool level;      /* that is the same all the way down */
@@ -147,8 +166,8 @@ static PEL_NOINLINE_32 void add_border(struct pel_smooth_sweep *w,
 static PEL_NOINLINE_32 int32_t add_part(struct pel_smooth_sweep *w,
                                         struct group *g, int32_t t)
 {
-    const int32_t bottom = next_end(w, g->y, t);
-    const int32_t live = sort_part(w, g->y, t, bottom);
+    const int32_t bottom = next_end(w, t);
+    const int32_t live = sort_part(w, t, bottom);
     const int32_t crossing = first_crossing(w, live, t, bottom);
     const int32_t end = pel_min(crossing, bottom), right = g->right;
     g->right = g->base;
@@ -178,11 +197,13 @@ static PEL_NOINLINE_32 void add_group(struct pel_smooth_sweep *w,
     w->active = active;
 }
 
-/* Sets where an edge is leftmost in a row, and where it is rightmost. */
+/* Sets what part of a row an edge crosses, where it is leftmost, and where it
+ * is rightmost. */
 static inline void set_ends(struct pel_smooth_edge *e, int32_t y)
 {
-    const int32_t a = x_at(e, in_row(e->top, y));
-    const int32_t b = x_at(e, in_row(e->bottom, y));
+    e->begin = in_row(e->top, y);
+    e->end = in_row(e->bottom, y);
+    const int32_t a = x_at(e, begin_of(e)), b = x_at(e, end_of(e));
     e->x0 = pel_min(a, b);
     e->x1 = pel_max(a, b);
 }
@@ -220,23 +241,23 @@ static int32_t group_end(const struct pel_smooth_sweep *w, int32_t i)
 }
 
 /* Does it go down the whole row? */
-static bool is_whole(const struct pel_smooth_edge *e, int32_t y)
+static bool is_whole(const struct pel_smooth_edge *e)
 {
-    return e->top <= PEL_PX(y) && e->bottom >= PEL_PX(y) + 256;
+    return e->begin == 0 && e->end == 256;
 }
 
 /* A group is cut on its own, unless a level line joins it to the one on its
  * left: then the winding number between both changes in the row. */
 void pel_smooth_add_row(struct pel_smooth_sweep *w, int32_t y)
 {
-    struct group g = {y, 0, 0, 0, true};
+    struct group g = {0, 0, 0, true};
     int32_t begin = 0, end;
     sort_row(w, y);
     for (int32_t i = 0; i < w->active; i = end) {
         const struct pel_smooth_edge *const e = &w->edge[w->order[i]];
         end = group_end(w, i);
         g.from = e->x0;
-        if (begin + 1 == end && is_whole(e, y))
+        if (begin + 1 == end && is_whole(e))
             add_border(w, &g, e, PEL_SMOOTH_ROW);
         else
             add_group(w, &g, begin, end);

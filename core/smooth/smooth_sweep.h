@@ -17,6 +17,7 @@ struct pel_smooth_edge {
     int32_t top, bottom; /* y, sub-pixels */
     int32_t x0, x1;      /* px 2^-16, at the top and the bottom of a part */
     int32_t winding;     /* 1 downwards, -1 upwards */
+    uint16_t begin, end; /* of the present row, 256ths */
 };
 
 /* order[0, active) are the edges that touch the row, order[active, count) those

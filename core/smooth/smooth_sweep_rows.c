@@ -133,14 +133,7 @@ static void sweep_row(struct pel_smooth_sweep *w, int32_t y)
     advance(w, PEL_PX(y) + 256);
 }
 
-/* Edges are ordered by their top, and as they were added. */
-static bool is_below(const struct pel_smooth_sweep *w, int32_t a, int32_t b)
-{
-    const int32_t down = w->edge[a].top - w->edge[b].top;
-    return down > 0 || (down == 0 && a > b);
-}
-
-/* Shell sort, with gaps of 2^k - 1. */
+/* By their top: Shell sort, with gaps of 2^k - 1. */
 static PEL_NOINLINE_32 void sort(struct pel_smooth_sweep *w)
 {
     int32_t *const order = w->order;
@@ -149,9 +142,9 @@ static PEL_NOINLINE_32 void sort(struct pel_smooth_sweep *w)
         gap = 2 * gap + 1;
     for (; gap; gap /= 2)
         for (int32_t i = gap; i < w->count; i++) {
-            const int32_t edge = order[i];
+            const int32_t edge = order[i], top = w->edge[edge].top;
             int32_t k = i;
-            for (; k >= gap && is_below(w, order[k - gap], edge); k -= gap)
+            for (; k >= gap && w->edge[order[k - gap]].top > top; k -= gap)
                 order[k] = order[k - gap];
             order[k] = edge;
         }

@@ -2,7 +2,7 @@
  * stride and direction of lines, and the build of core. And what every byte
  * must be, in every format: the source packed, or blended by the rule, of
  * smooth shapes what a mask of their coverage shows. Every shape and outline,
- * smooth shapes and Gouraud triangles, on fenced canvases. */
+ * path and stroke, smooth shapes and Gouraud triangles, on fenced canvases. */
 #include <string.h>
 
 #include "drivers/crc.h"
@@ -187,7 +187,8 @@ TEST(vertex_order_changes_nothing)
         const struct drawing d = random_drawing(&c.random, false);
         const struct pel_rect b = whole.surface.bounds;
         const enum any_kind kind = d.shape.kind;
-        if (kind == ANY_RECTANGLE || kind == ANY_ROUNDED_RECTANGLE)
+        if (kind == ANY_RECTANGLE || kind == ANY_ROUNDED_RECTANGLE ||
+            kind >= ANY_PATH)
             continue;
         draw(&whole.surface, &d);
         for (int32_t i = 1; i < 2 * any_points(&d.shape); i++) {
@@ -218,6 +219,17 @@ static void extend(struct pel_rect *e, const struct pel_point *v, int32_t n)
         e->x1 = pel_max(e->x1, v->x);
         e->y1 = pel_max(e->y1, v->y);
     }
+}
+
+/* On all sides; false: beyond the range, where nothing may be drawn. */
+static bool grow(struct pel_rect *e, int32_t by)
+{
+    e->x0 -= by;
+    e->y0 -= by;
+    e->x1 += by;
+    e->y1 += by;
+    return pel_points_legal(
+        (struct pel_point[2]){{e->x0, e->y0}, {e->x1, e->y1}}, 2);
 }
 
 static void shift(struct pel_point *v, int32_t n, int32_t dx, int32_t dy)
@@ -255,6 +267,8 @@ TEST(translation_changes_nothing)
         struct pel_rect e = {PEL_PX(b.x0), PEL_PX(b.y0), PEL_PX(b.x1) - 1,
                              PEL_PX(b.y1) - 1};
         extend(&e, d.shape.v, ANY_POINTS);
+        if (!grow(&e, any_reach(&d.shape)))
+            continue;
         int32_t dx = random_shift(&c.random, e.x0, e.x1);
         int32_t dy = random_shift(&c.random, e.y0, e.y1);
         b = (struct pel_rect){b.x0 + dx, b.y0 + dy, b.x1 + dx, b.y1 + dy};
@@ -304,5 +318,5 @@ TEST(every_build_draws_the_same)
         draw(&whole.surface, &d);
         crc = pel_crc(crc, whole.memory, whole.size);
     }
-    assert_int_equal(crc, 0xCDA4C6F0);
+    assert_int_equal(crc, 0xBCE3A74E);
 }

@@ -10,8 +10,76 @@ const char *any_name(const struct any_shape *s)
     static const char *const names[ANY_KINDS] = {
         "triangle",          "rectangle", "polygon", "circle", "ellipse",
         "rounded rectangle", "ring",      "sector",  "arc",    "line",
-        "thick line"};
+        "thick line",        "path",      "stroke"};
     return names[s->kind];
+}
+
+/* A path along the points, with a stroke. */
+struct any_path {
+    uint8_t verbs[3 * ANY_POINTS];
+    struct pel_path path;
+    struct pel_path_shape shape;
+};
+
+static struct pel_stroke stroke_of(const struct any_shape *s)
+{
+    static const int32_t lengths[2] = {1357, 300};
+    static const struct pel_dashes dashes = {&pel_dashed, lengths, 2, 100};
+    return (struct pel_stroke){
+        .width = s->radius,
+        .cap = (enum pel_cap)((uint32_t)s->from % 3),
+        .join = (enum pel_join)((uint32_t)s->from / 4 % 3),
+        .dashes = s->to & 4 ? &dashes : NULL};
+}
+
+/* Lines and curves, closed now and then. */
+static void set_path(struct any_path *p, const struct any_shape *s)
+{
+    uint32_t bits = (uint32_t)s->to >> 4;
+    int32_t n = 0, points = 1;
+    p->verbs[n++] = PEL_MOVE;
+    for (; points < s->n; bits /= 4) {
+        const int32_t most = s->n - points;
+        const int32_t take = bits ? pel_min((int32_t)(bits % 4), most) : 1;
+        points += take;
+        p->verbs[n++] = (uint8_t)(take ? take : PEL_CLOSE);
+    }
+    p->path = (struct pel_path){p->verbs, NULL, &s->v->x, n, points};
+    p->shape = (struct pel_path_shape){
+        .path = &p->path, .rule = s->rule, .stroke = stroke_of(s)};
+}
+
+static struct pel_polyline_shape line_of(const struct any_shape *s)
+{
+    return (struct pel_polyline_shape){s->v, s->n, s->to & 16, stroke_of(s)};
+}
+
+int32_t any_reach(const struct any_shape *s)
+{
+    return s->kind == ANY_STROKE ? 2 * s->radius + 1028 : 0;
+}
+
+/* The path, or the stroke along it or along points. */
+static void draw_path(const struct pel_surface *surface,
+                      const struct any_shape *s, const struct pel_paint *paint,
+                      bool smooth)
+{
+    static uint64_t scratch[1 << 18];
+    const struct pel_polyline_shape line = line_of(s);
+    enum pel_status status;
+    struct any_path p;
+    set_path(&p, s);
+    if (s->kind == ANY_PATH)
+        status = (smooth ? pel_smooth_path_fill : pel_path_fill)(
+            surface, &p.shape, paint, scratch, sizeof scratch);
+    else if (s->to & 8)
+        status = (smooth ? pel_smooth_path_stroke : pel_path_stroke)(
+            surface, &p.shape, paint, scratch, sizeof scratch);
+    else
+        status = (smooth ? pel_smooth_polyline : pel_polyline)(
+            surface, &line, paint, scratch, sizeof scratch);
+    if (status != PEL_OK && status != PEL_ERROR_RANGE)
+        abort();
 }
 
 static void draw_polygon(const struct pel_surface *surface,
@@ -56,6 +124,10 @@ void any_draw(const struct pel_surface *surface, const struct any_shape *s,
         break;
     case ANY_LINE:
         pel_line(surface, s->v[0], s->v[1], paint);
+        break;
+    case ANY_PATH:
+    case ANY_STROKE:
+        draw_path(surface, s, paint, false);
         break;
     default:
         pel_thick_line(surface, THICK(s), paint);
@@ -121,9 +193,24 @@ bool any_draw_smooth(const struct pel_surface *surface,
         else
             pel_smooth_thick_line_round(surface, THICK(s), paint);
         return true;
+    case ANY_PATH:
+    case ANY_STROKE:
+        draw_path(surface, s, paint, true);
+        return true;
     default:
         return false;
     }
+}
+
+static bool hit_path(const struct any_shape *s, int32_t x, int32_t y)
+{
+    const struct pel_polyline_shape line = line_of(s);
+    struct any_path p;
+    set_path(&p, s);
+    if (s->kind == ANY_PATH)
+        return pel_hit_path_fill(&p.shape, x, y);
+    return s->to & 8 ? pel_hit_path_stroke(&p.shape, x, y)
+                     : pel_hit_polyline(&line, x, y);
 }
 
 bool any_hit(const struct any_shape *s, int32_t x, int32_t y)
@@ -149,6 +236,9 @@ bool any_hit(const struct any_shape *s, int32_t x, int32_t y)
         return pel_hit_arc(ARC(s), x, y);
     case ANY_LINE:
         return pel_hit_line(s->v[0], s->v[1], x, y);
+    case ANY_PATH:
+    case ANY_STROKE:
+        return hit_path(s, x, y);
     default:
         return pel_hit_thick_line(THICK(s), x, y);
     }
@@ -169,10 +259,10 @@ static void outline_rim(const struct pel_surface *surface,
                         const struct any_shape *s,
                         const struct pel_paint *paint)
 {
-    struct pel_span memory[PEL_OUTLINE_FILTER_SPANS(3)];
+    enum { SPANS = PEL_OUTLINE_FILTER_SPANS(22) }; /* of 42 pixels */
+    struct pel_span memory[SPANS];
     struct pel_outline_filter filter;
-    if (!pel_outline_filter_begin(&filter, surface, paint, memory,
-                                  PEL_OUTLINE_FILTER_SPANS(3)))
+    if (!pel_outline_filter_begin(&filter, surface, paint, memory, SPANS))
         return;
     any_draw(&filter.surface, s, &filter.paint);
     pel_outline_filter_end(&filter);

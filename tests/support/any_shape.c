@@ -116,7 +116,7 @@ int32_t any_points(const struct any_shape *s)
 {
     if (s->kind == ANY_TRIANGLE)
         return 3;
-    if (s->kind == ANY_POLYGON)
+    if (s->kind == ANY_POLYGON || s->kind >= ANY_PATH)
         return s->n;
     return is_round(s->kind) ? 1 : 2;
 }
@@ -135,7 +135,7 @@ void any_in_box(struct random *r, struct any_shape *s, enum any_kind kind,
         cases_forget();
         shape_adversarial(r, s->v, any_points(s) - (any_points(s) > 1));
     }
-    if (kind == ANY_THICK_LINE)
+    if (kind == ANY_THICK_LINE || kind == ANY_STROKE)
         s->radius /= 4;
     keep(s);
 }

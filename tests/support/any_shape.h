@@ -19,6 +19,9 @@ enum any_kind {
     ANY_ARC,
     ANY_LINE,
     ANY_THICK_LINE,
+    ANY_REFERENCED, /* kinds before it have a reference */
+    ANY_PATH = ANY_REFERENCED,
+    ANY_STROKE,
     ANY_KINDS
 };
 
@@ -27,10 +30,11 @@ enum { ANY_POINTS = 12 };
 struct any_shape {
     struct pel_point v[ANY_POINTS]; /* of round shapes v[0] is the centre */
     enum any_kind kind;
-    enum pel_fill_rule rule; /* of polygons */
-    int32_t n;               /* points of a polygon */
+    enum pel_fill_rule rule; /* of polygons and paths */
+    int32_t n;               /* points of a polygon, path or stroke */
     int32_t radius, inner;   /* or width */
-    int32_t from, to;
+    int32_t from, to; /* bits of `to` say which lines of a path are curves, and
+                         what a stroke along them looks like */
 };
 
 /* The shape as core's structs have it. */
@@ -66,11 +70,16 @@ struct pel_rect any_window(struct random *r, const struct any_shape *s,
 void any_draw(const struct pel_surface *surface, const struct any_shape *s,
               const struct pel_paint *paint);
 
+/* What a stroke may reach beyond its points. */
+int32_t any_reach(const struct any_shape *s);
+
 /* By its smooth function; false, and nothing is drawn, when it has none. */
 bool any_draw_smooth(const struct pel_surface *surface,
                      const struct any_shape *s, const struct pel_paint *paint);
 
 bool any_hit(const struct any_shape *s, int32_t x, int32_t y);
+
+/* Of kinds that have one. */
 bool any_reference_at(const struct any_shape *s, int32_t x, int32_t y);
 
 /* By the shape's outline function or outline/outline_filter.h; of sectors the
