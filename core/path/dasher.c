@@ -62,7 +62,8 @@ static enum pel_status pass(struct dasher *d, enum pel_verb verb,
 }
 
 /* Of legal points: sqrt(2) 2^24 in 1/256 px, times 32, below 2^29.6. */
-static PEL_NOINLINE_32 int32_t distance(const struct pel_point *a, const struct pel_point *b)
+static PEL_NOINLINE_32 int32_t distance(const struct pel_point *a,
+                                        const struct pel_point *b)
 {
     struct pel_root root;
     const uint64_t square =

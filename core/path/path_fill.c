@@ -60,10 +60,12 @@ static void add_to_sweep(struct pel_sides *sides, int32_t x, int32_t y)
         !pel_sweep_add(f->sweep, &from, &sides->at, sides->y0, sides->y1);
 }
 
-static void paint_sweep(struct pel_sides *sides)
+static bool paint_sweep(struct pel_sides *sides)
 {
     struct fill *const f = (struct fill *)(void *)sides;
+    const int32_t count = f->sweep->count;
     pel_sweep_paint(f->sweep, f->surface, f->paint);
+    return count <= f->sweep->room / 2;
 }
 
 static const struct pel_sides_kind fill_kind = {

@@ -1,22 +1,22 @@
 #include "sides.h"
 
-/* Half as many where there is no room, twice as many where there was. */
+/* Half as many where there is no room, twice as many where there was room for
+ * them. Which they are stands in s over the calls, to spare stack. */
 enum pel_status pel_sides_draw(struct pel_sides *s, const struct pel_rect *clip,
                                const struct pel_outline_source *source)
 {
-    const int32_t end = clip->y1;
-    int32_t y = clip->y0, rows = end - y;
-    while (y < end && clip->x0 < clip->x1) {
-        rows = pel_min(rows, end - y);
-        pel_sides_set_rows(s, y, y + rows);
+    int32_t y = clip->y0, end = clip->y1;
+    while (y < clip->y1 && clip->x0 < clip->x1) {
+        pel_sides_set_rows(s, y, pel_min(end, clip->y1));
         s->kind->begin(s);
         const enum pel_status status = source->walk(source->shape, s);
         if (status == PEL_OK) {
-            s->kind->paint(s);
-            y += rows;
-            rows *= 2;
-        } else if (status == PEL_ERROR_SCRATCH && rows > 1) {
-            rows /= 2;
+            const int32_t times = s->kind->paint(s) ? 2 : 1;
+            y = s->y1;
+            end = y + (y - s->y0) * times;
+        } else if (status == PEL_ERROR_SCRATCH && s->y1 - s->y0 > 1) {
+            y = s->y0;
+            end = y + (s->y1 - y) / 2;
         } else {
             return status;
         }

@@ -15,8 +15,8 @@ struct pel_sides_kind {
     /* Ends a convex piece of a stroke: its sides were added clockwise on
      * screen, from `start` on. NULL: sides that pieces share are left out. */
     void (*end)(struct pel_sides *sides);
-    /* Paints what is inside. */
-    void (*paint)(struct pel_sides *sides);
+    /* Paints what is inside. True: there was room for twice as many. */
+    bool (*paint)(struct pel_sides *sides);
 };
 
 /* The first member of each kind's struct. */

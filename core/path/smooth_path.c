@@ -31,10 +31,12 @@ static void add(struct pel_sides *sides, int32_t x, int32_t y)
     sides->full |= !pel_smooth_sweep_add(&s->sweep, &from, &sides->at);
 }
 
-static void paint_sides(struct pel_sides *sides)
+static bool paint_sides(struct pel_sides *sides)
 {
     struct smooth *const s = (struct smooth *)(void *)sides;
+    const int32_t count = s->sweep.count;
     pel_smooth_sweep_paint(&s->sweep);
+    return count <= s->sweep.room / 2;
 }
 
 static const struct pel_sides_kind smooth_kind = {

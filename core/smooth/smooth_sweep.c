@@ -78,7 +78,8 @@ static int32_t sort_part(struct pel_smooth_sweep *w, int32_t t, int32_t end)
         int32_t k = live;
         if (begin_of(e) > t || end_of(e) < end)
             continue;
-        e->x0 = begin_of(e) < t ? e->x1 : x_at(e, t); /* where the part above ended */
+        e->x0 = begin_of(e) < t ? e->x1
+                                : x_at(e, t); /* where the part above ended */
         e->x1 = x_at(e, end);
         w->order[i] = w->order[live++];
         for (; k > 0 && is_before(e, &w->edge[w->order[k - 1]]); k--)
@@ -144,10 +145,10 @@ static void add_piece(struct pel_smooth_sweep *w,
 
 /* Edges of a row, those in w->order, whose x no other one reaches. */
 struct group {
-    int32_t from; /* only edges from there on, px 2^-16, are still to add */
-    int32_t base;    /* the winding number left of it .. */
-    int32_t right;   /* .. and right of it, or of the last border */
-    bool level;      /* that is the same all the way down */
+    int32_t from;  /* only edges from there on, px 2^-16, are still to add */
+    int32_t base;  /* the winding number left of it .. */
+    int32_t right; /* .. and right of it, or of the last border */
+    bool level;    /* that is the same all the way down */
 };
 
 /* Adds an edge over a height, if it is a border: the next one from the left. */

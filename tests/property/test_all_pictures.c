@@ -88,7 +88,7 @@ static int32_t next_cut(struct random *r, int32_t from, int32_t end,
 
 TEST(tiles_equal_the_whole)
 {
-    for (struct cases c = cases_of(80000); cases_next(&c);) {
+    for (struct cases c = cases_of(60000); cases_next(&c);) {
         struct random *r = &c.random;
         struct drawing d = random_drawing(&c.random, false);
         const struct pel_rect b = whole.surface.bounds;
@@ -108,7 +108,7 @@ TEST(tiles_equal_the_whole)
 
 TEST(clip_is_crop)
 {
-    for (struct cases c = cases_of(100000); cases_next(&c);) {
+    for (struct cases c = cases_of(75000); cases_next(&c);) {
         struct drawing d = random_drawing(&c.random, false);
         const struct pel_rect b = whole.surface.bounds;
         const struct pel_rect clip = shape_clip(&c.random, &b);
@@ -160,7 +160,7 @@ static void check_bytes(const struct drawing *d)
 
 TEST(bytes_follow_the_rule)
 {
-    for (struct cases c = cases_of(100000); cases_next(&c);) {
+    for (struct cases c = cases_of(75000); cases_next(&c);) {
         struct drawing d = random_drawing(&c.random, c.next % 2);
         draw(&whole.surface, &d);
         check_bytes(&d);
@@ -183,7 +183,7 @@ static struct drawing reordered(const struct drawing *d, int32_t i)
 
 TEST(vertex_order_changes_nothing)
 {
-    for (struct cases c = cases_of(60000); cases_next(&c);) {
+    for (struct cases c = cases_of(50000); cases_next(&c);) {
         const struct drawing d = random_drawing(&c.random, false);
         const struct pel_rect b = whole.surface.bounds;
         const enum any_kind kind = d.shape.kind;
@@ -261,7 +261,7 @@ static bool is_drawn(const struct drawing *d)
 
 TEST(translation_changes_nothing)
 {
-    for (struct cases c = cases_of(100000); cases_next(&c);) {
+    for (struct cases c = cases_of(75000); cases_next(&c);) {
         struct drawing d = random_drawing(&c.random, false);
         struct pel_rect b = whole.surface.bounds;
         struct pel_rect e = {PEL_PX(b.x0), PEL_PX(b.y0), PEL_PX(b.x1) - 1,

@@ -56,7 +56,8 @@ TEST(dirty_boxes)
 {
     for (struct cases c = cases_of(100000); cases_next(&c);) {
         struct random *r = &c.random;
-        const enum any_kind kind = (enum any_kind)(random_word(r) % ANY_REFERENCED);
+        const enum any_kind kind =
+            (enum any_kind)(random_word(r) % ANY_REFERENCED);
         const bool outline = random_word(r) & 1, paints = random_word(r) & 1;
         struct any_shape s;
         struct pel_dirty dirty;

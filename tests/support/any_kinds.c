@@ -25,11 +25,11 @@ static struct pel_stroke stroke_of(const struct any_shape *s)
 {
     static const int32_t lengths[2] = {1357, 300};
     static const struct pel_dashes dashes = {&pel_dashed, lengths, 2, 100};
-    return (struct pel_stroke){
-        .width = s->radius,
-        .cap = (enum pel_cap)((uint32_t)s->from % 3),
-        .join = (enum pel_join)((uint32_t)s->from / 4 % 3),
-        .dashes = s->to & 4 ? &dashes : NULL};
+    return (struct pel_stroke){.width = s->radius,
+                               .cap = (enum pel_cap)((uint32_t)s->from % 3),
+                               .join =
+                                   (enum pel_join)((uint32_t)s->from / 4 % 3),
+                               .dashes = s->to & 4 ? &dashes : NULL};
 }
 
 /* Lines and curves, closed now and then. */
