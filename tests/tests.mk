@@ -145,7 +145,7 @@ check: check-build ## every test; the last line is `N passed, N failed`
 # repeats a run.
 DEEP_SCALE ?= 1000
 DEEP_PARTS := 0 1 2 3 4
-DEEP_EXTRA := deep-builds deep-cpus deep-order
+DEEP_EXTRA := deep-builds deep-cpus deep-order deep-world
 DEEP_PROGRAMS := $(TEST_PROPERTY:%=$(T)/host/%) \
     $(T)/portable/tests/property/test_raster_triangles
 deep: $(DEEP_PROGRAMS) ## the long sweeps: 10^8 triangles, all CPUs; half an hour
@@ -170,6 +170,10 @@ deep: $(DEEP_PROGRAMS) ## the long sweeps: 10^8 triangles, all CPUs; half an hou
 CHECK_EXTRA += check-replay
 check-replay: $(TEST_PROPERTY:%=$(T)/host/%)
 	@tests/tools/replay.sh $^
+
+.PHONY: deep-world
+deep-world: $(T)/sim/test_render_world # coarse meshes in the world, all of them
+	PEL_WORLD_ALL=1 $<
 
 .PHONY: deep-order
 deep-order: all # every mesh of PEL_MODELS, with the painter's order proven or not
