@@ -26,15 +26,17 @@ static void count(const struct pel_paint *paint, const struct pel_spans *rows)
 }
 
 static const struct pel_paint *counting_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface)
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    const pel_color color[3])
 {
     static const struct pel_paint counting = {count, NULL};
     (void)frame;
     (void)surface;
+    (void)color;
     return &counting;
 }
 
-static const struct pel_shading counting = {NULL, NULL, counting_paint};
+static const struct pel_shading counting = {NULL, NULL, counting_paint, 0};
 
 static void *memory(size_t size)
 {

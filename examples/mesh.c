@@ -1,5 +1,5 @@
 /* A vase of 220 triangles, lit and textured, on a panel of 240 x 320 pixels, in
- * 9 KB of RAM with the stack: a line at a time. */
+ * 8 KB of RAM with the stack: a line at a time. */
 #include "ppm.h"
 #include "vase_small.h"
 

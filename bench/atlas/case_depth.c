@@ -102,11 +102,13 @@ static void draw_all_deep(const struct pel_surface *s,
 }
 
 static const struct pel_paint *paint_number(
-    struct pel_frame *frame, const struct pel_color_paint *surface)
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    const pel_color color[3])
 {
     struct pel_flat *flat = &frame->work->paint.flat;
     const uint32_t number = frame->work->triangle.vertex[0] / 3 + 1;
     (void)surface;
+    (void)color;
     *flat = (struct pel_flat)PEL_FLAT(PEL_RGB(0, 0, 0) | number);
     return &flat->paint;
 }
@@ -114,7 +116,7 @@ static const struct pel_paint *paint_number(
 /* Vertex i of the mesh is vertex i % 3 of triangle i / 3. */
 static void prepare(struct pel_frame *frame, const struct scene *scene)
 {
-    static const struct pel_shading numbers = {NULL, NULL, paint_number};
+    static const struct pel_shading numbers = {NULL, NULL, paint_number, 0};
     static uint16_t corner[SCENE_TRIANGLES][3];
     static uint64_t scratch[PEL_SCENE_SCRATCH_SIZE(3 * SCENE_TRIANGLES,
                                                    SCENE_TRIANGLES, 0) /

@@ -182,7 +182,7 @@ void pel_light_add(const struct pel_mesh_lights *lights,
 }
 
 bool pel_light_start(const struct pel_mesh_lights *lights,
-                     const int32_t position[3], const int32_t normal[3],
+                     const int32_t value[PEL_LIGHT_VALUES],
                      pel_cosine towards[3][3], struct pel_light_sum *sum)
 {
     PEL_UNROLL
@@ -190,9 +190,9 @@ bool pel_light_start(const struct pel_mesh_lights *lights,
         sum->surface[k] = lights->ambient[k];
         sum->plain[k] = 0;
     }
-    if (!pel_normalize_fast(normal, towards[0]))
+    if (!pel_normalize_fast(value + PEL_AT_NORMAL, towards[0]))
         return false;
-    direction(position, lights->eye, towards[1]);
+    direction(value + PEL_AT_POSITION, lights->eye, towards[1]);
     if (lights->lighting->both_sides &&
         pel_weighted(towards[0], towards[1]) < 0)
         for (int k = 0; k < 3; k++)
@@ -211,14 +211,14 @@ void pel_light_towards(const struct pel_mesh_light *light,
 }
 
 void pel_mesh_lights_sum(const struct pel_mesh_lights *lights,
-                         const int32_t position[3], const int32_t normal[3],
+                         const int32_t value[PEL_LIGHT_VALUES],
                          struct pel_light_sum *sum)
 {
     pel_cosine towards[3][3];
-    if (!pel_light_start(lights, position, normal, towards, sum))
+    if (!pel_light_start(lights, value, towards, sum))
         return;
     for (int32_t i = 0; i < lights->count; i++) {
-        pel_light_towards(&lights->light[i], position, towards);
+        pel_light_towards(&lights->light[i], value + PEL_AT_POSITION, towards);
         pel_light_add(lights, &lights->light[i], towards, sum);
     }
 }

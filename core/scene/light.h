@@ -74,10 +74,13 @@ struct pel_light_sum {
     pel_factor plain[3];   /* not multiplied */
 };
 
-/* normal: of any length up to 2^30; it is scaled to length 1 without a
- * division. */
+/* Where light is computed: three values of a normal, of any length up to 2^30,
+ * which is scaled to length 1 without a division; and three of a position, in
+ * lighting units. */
+enum { PEL_AT_NORMAL = 0, PEL_AT_POSITION = 3, PEL_LIGHT_VALUES = 6 };
+
 void pel_mesh_lights_sum(const struct pel_mesh_lights *lights,
-                         const int32_t position[3], const int32_t normal[3],
+                         const int32_t value[PEL_LIGHT_VALUES],
                          struct pel_light_sum *sum);
 
 /* Its steps, for those who need the directions too: to the normal, to the eye,
@@ -85,7 +88,7 @@ void pel_mesh_lights_sum(const struct pel_mesh_lights *lights,
  * where the normal is 0; towards sets the third; add adds the light.
  * pel_light_reflected: R.V, above 0, from all three and N.L. */
 bool pel_light_start(const struct pel_mesh_lights *lights,
-                     const int32_t position[3], const int32_t normal[3],
+                     const int32_t value[PEL_LIGHT_VALUES],
                      pel_cosine towards[3][3], struct pel_light_sum *sum);
 void pel_light_towards(const struct pel_mesh_light *light,
                        const int32_t position[3], pel_cosine towards[3][3]);

@@ -46,7 +46,7 @@ const struct pel_paint *pel_frame_modulate(
         return &surface->paint;
     p->surface = surface;
     pel_color_paint_init(&p->base, pel_modulated_colors, frame->opaque);
-    pel_frame_gouraud(frame, color, &p->colors);
+    pel_frame_gouraud(frame, color, &p->of.colors);
     return &p->base.paint;
 }
 
@@ -65,28 +65,24 @@ static pel_color vertex_color(const struct pel_frame *frame, uint32_t vertex)
 
 const struct pel_mapping pel_map_vertices = {vertex_color, NULL, NULL};
 
-const struct pel_color_paint *pel_frame_affine(
-    struct pel_frame *frame, const struct pel_texture_corner corner[3])
+const struct pel_color_paint *pel_frame_affine(struct pel_frame *frame)
 {
+    const struct pel_frame_triangle *t = &frame->work->triangle;
     struct pel_texture *p = &frame->texture;
-    int32_t value[3];
     for (int k = 0; k < 2; k++) {
+        int32_t value[3], corner[3];
         for (int i = 0; i < 3; i++)
-            value[i] = (int32_t)pel_scale_down(corner[i].uv[k], 8);
+            value[i] =
+                (int32_t)pel_scale_down(texel_of(frame, t->vertex[i], k), 8);
+        pel_corners_mix(t, value, corner);
         pel_texture_plane(k ? &p->map.v : &p->map.u, pel_frame_setup(frame),
-                          value);
+                          corner);
     }
     return &p->base;
 }
 
-static const struct pel_color_paint *affine(struct pel_frame *frame)
-{
-    struct pel_texture_corner corner[3];
-    pel_frame_texels(frame, corner);
-    return pel_frame_affine(frame, corner);
-}
-
-const struct pel_mapping pel_map_affine = {NULL, affine, pel_frame_modulate};
+const struct pel_mapping pel_map_affine = {NULL, pel_frame_affine,
+                                           pel_frame_modulate};
 
 static const struct pel_color_paint *perspective(struct pel_frame *frame)
 {

@@ -63,18 +63,15 @@ static bool positions_legal(const struct pel_mesh *m)
 static enum pel_status check_indices(const struct pel_mesh *m,
                                      struct pel_mesh_fault *fault)
 {
-    struct pel_mesh_fault at = {0, 0, 0};
-    uint32_t corner[3];
-    for (; at.triangle < m->triangles; at.triangle++) {
-        pel_mesh_corners(m, at.triangle, corner);
-        for (int k = 0; k < 3; k++) {
-            at.index = corner[k];
-            if (at.index < m->vertices)
-                continue;
-            if (fault)
-                *fault = at;
-            return PEL_ERROR_RANGE;
-        }
+    for (uint32_t i = 0; i < m->triangles; i++) {
+        uint32_t corner[3];
+        pel_mesh_corners(m, i, corner);
+        for (int k = 0; k < 3; k++)
+            if (corner[k] >= m->vertices) {
+                if (fault)
+                    *fault = (struct pel_mesh_fault){i, corner[k], 0};
+                return PEL_ERROR_RANGE;
+            }
     }
     return PEL_OK;
 }

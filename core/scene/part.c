@@ -16,13 +16,12 @@ static bool uv_legal(const struct pel_quantization *q, int32_t texels)
 static enum pel_status set_texture(struct pel_frame *frame)
 {
     const struct pel_mesh_texture *t = frame->mesh_texture;
-    static const struct pel_texture_map none = {{0, 0, 0}, {0, 0, 0}};
     if (!t->mapping || !t->sampler || !frame->scene->mesh->uv)
         return PEL_ERROR_NULL;
     if ((uint32_t)t->span > PEL_SPAN_MAX || (t->span & (t->span - 1)))
         return PEL_ERROR_RANGE;
     const enum pel_status status =
-        t->sampler(&frame->texture, &t->texels, &none);
+        t->sampler(&frame->texture, &t->texels, &frame->texture.map);
     frame->texture.wrap_u = (uint8_t)t->wrap_u;
     frame->texture.wrap_v = (uint8_t)t->wrap_v;
     if (status != PEL_OK)

@@ -6,6 +6,9 @@ enum { SPAN = 8 };
  */
 enum { ROOM = 22 };
 
+/* Of colors of vertices and of light at pixels, 1/256 step: 1/4 step each. */
+enum { ERROR = 128 };
+
 /* Steps that light at pixels is taken to change by over a triangle, at most. */
 enum { CHANGE_OF_LIGHT = 2048 };
 
@@ -45,8 +48,9 @@ static bool is_near(const struct pel_divided_triangle *d,
 static void cut_colors(struct pel_shaded *p)
 {
     for (int k = 0; k < 3; k++) {
-        p->colors.at[k] = (uint32_t)p->plane[PEL_AT_COLOR + k].at + 0x800000u;
-        p->colors.dx[k] = (uint32_t)p->plane[PEL_AT_COLOR + k].dx;
+        p->of.colors.at[k] =
+            (uint32_t)p->of.plane[PEL_AT_COLOR + k].at + 0x800000u;
+        p->of.colors.dx[k] = (uint32_t)p->of.plane[PEL_AT_COLOR + k].dx;
     }
 }
 
@@ -54,14 +58,14 @@ static void cut_colors(struct pel_shaded *p)
 static int32_t set_values(struct pel_divided_triangle *d, int32_t x, int32_t y)
 {
     const uint8_t span = d->by.span;
-    struct pel_plane *line = &d->shaded->plane[d->first];
+    struct pel_plane *line = &d->shaded->of.plane[d->first];
     int32_t n = pel_divided_lines(&d->by, x, y, line);
     if (span > 0 && !is_near(d, line, x, y)) {
         d->by.span = 0;
         n = pel_divided_lines(&d->by, x, y, line);
         d->by.span = span;
     }
-    if (d->first + d->by.values == PEL_VALUES)
+    if (d->first == PEL_AT_COLOR)
         cut_colors(d->shaded);
     return n;
 }
@@ -100,13 +104,18 @@ static void white(const struct pel_color_paint *paint, int32_t x, int32_t y,
         out[i] = UINT32_C(0xFFFFFFFF);
 }
 
+static struct pel_divided_triangle *triangle_of(struct pel_frame *frame)
+{
+    return (void *)(frame->work + 1);
+}
+
 /* Begins a triangle over which a channel changes by so many steps. A value that
  * is linear on screen is off by at most change (r - 1) / 4, r the ratio of the
  * distances. */
 static bool start(struct pel_frame *frame, int32_t change, int first)
 {
     const struct pel_frame_triangle *t = &frame->work->triangle;
-    struct pel_divided_triangle *d = &frame->work->divided;
+    struct pel_divided_triangle *d = triangle_of(frame);
     int32_t z[3], near = INT32_MAX, far = 0;
     for (int i = 0; i < 3; i++) {
         z[i] = t->corner[i]->z;
@@ -127,7 +136,7 @@ static bool start(struct pel_frame *frame, int32_t change, int first)
 
 static void set_value(struct pel_frame *frame, int k, const int32_t vertex[3])
 {
-    struct pel_divided_triangle *d = &frame->work->divided;
+    struct pel_divided_triangle *d = triangle_of(frame);
     int32_t corner[3];
     int64_t fine[3];
     pel_corners_mix(&frame->work->triangle, vertex, corner);
@@ -136,73 +145,52 @@ static void set_value(struct pel_frame *frame, int k, const int32_t vertex[3])
     pel_divided_set(&d->value[k], &d->by, pel_frame_setup(frame), fine);
 }
 
-static void set_color(struct pel_frame *frame, const pel_color color[3], int k)
-{
-    int32_t value[3];
-    for (int i = 0; i < 3; i++)
-        value[i] = (int32_t)(color[i] >> 8 * k & 255);
-    set_value(frame, PEL_AT_COLOR + k, value);
-}
-
-static void set_colors(struct pel_frame *frame, const pel_color color[3])
-{
-    for (int k = 0; k < 3; k++)
-        set_color(frame, color, k);
-}
-
 static const struct pel_paint *gouraud(struct pel_frame *frame,
                                        const struct pel_color_paint *surface,
                                        const pel_color color[3])
 {
     static const struct pel_color_paint none = PEL_COLOR_PAINT(white, true);
     struct pel_shaded *p = &frame->work->paint.shaded;
+    struct pel_divided_triangle *d = triangle_of(frame);
     if (!start(frame, range_of(color), PEL_AT_COLOR))
-        return NULL;
-    frame->work->divided.surface = surface ? surface : &none;
+        return pel_frame_gouraud_paint(frame, surface, color);
+    d->surface = surface ? surface : &none;
     p->surface = &surface_there;
     p->base.colors = pel_modulated_colors;
-    p->colors.at[3] = (color[0] >> 24 << 24) + 0x800000u;
-    p->colors.dx[3] = 0;
-    set_colors(frame, color);
-    return &frame->work->divided.base.paint;
+    p->of.colors.at[3] = (color[0] >> 24 << 24) + 0x800000u;
+    p->of.colors.dx[3] = 0;
+    for (int k = 0; k < 3; k++) {
+        int32_t value[3];
+        for (int i = 0; i < 3; i++)
+            value[i] = (int32_t)(color[i] >> 8 * k & 255);
+        set_value(frame, PEL_AT_COLOR + k, value);
+    }
+    return &d->base.paint;
 }
 
-static bool light(struct pel_frame *frame, const pel_color color[3])
+static const struct pel_paint *phong(struct pel_frame *frame,
+                                     const struct pel_color_paint *surface,
+                                     const pel_color color[3])
 {
-    struct pel_shaded *p = &frame->work->paint.shaded;
-    struct pel_divided_triangle *d = &frame->work->divided;
+    struct pel_divided_triangle *d = triangle_of(frame);
     if (!start(frame, CHANGE_OF_LIGHT, 0))
-        return false;
-    d->surface = p->surface;
-    if (p->surface) {
+        return pel_phong_paint(frame, surface, color);
+    struct pel_shaded *p = pel_phong_start(frame, surface);
+    d->surface = surface;
+    if (surface) {
         p->surface = &surface_there;
         d->by.values = PEL_AT_COLOR;
-    } else
-        set_colors(frame, color);
-    return true;
+    }
+    pel_phong_values(frame, color, set_value);
+    return &d->base.paint;
 }
 
-const struct pel_division pel_division = {gouraud, light, set_value};
+const struct pel_interpolation pel_in_world = {gouraud, phong, ERROR};
 
-static const struct pel_paint *gouraud_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface)
-{
-    pel_color color[3];
-    pel_frame_colors(frame, color);
-    const struct pel_paint *paint = gouraud(frame, surface, color);
-    return paint ? paint : pel_frame_gouraud_paint(frame, surface, color);
-}
-
-static const struct pel_paint *phong_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface)
-{
-    pel_color color[3];
-    pel_frame_colors(frame, color);
-    return pel_phong_paint(frame, surface, color, &pel_division);
-}
-
-const struct pel_shading pel_perspective_gouraud = {NULL, NULL, gouraud_paint};
+const struct pel_shading pel_perspective_gouraud = {
+    NULL, NULL, gouraud, PEL_PERSPECTIVE_SCRATCH_SIZE};
 const struct pel_shading pel_perspective_lit_gouraud = {
-    pel_frame_start_light, pel_frame_light_vertex, gouraud_paint};
-const struct pel_shading pel_perspective_phong = {pel_frame_start_light, NULL,
-                                                  phong_paint};
+    pel_frame_start_light, pel_frame_light_vertex, gouraud,
+    PEL_PERSPECTIVE_SCRATCH_SIZE};
+const struct pel_shading pel_perspective_phong = {
+    pel_frame_start_light, NULL, phong, PEL_PERSPECTIVE_SCRATCH_SIZE};

@@ -1,6 +1,7 @@
 #include "pipeline.h"
 
-/* Scratch memory: work, lights, vertices, order; all multiples of 8 bytes. */
+/* Scratch memory: work, that of the shading, lights, vertices, order; all
+ * multiples of 8 bytes. */
 typedef char pel_scene_sizes[sizeof(struct pel_mesh_light) % 8 == 0 &&
                                      sizeof(struct pel_frame_vertex) % 8 == 0
                                  ? 1
@@ -10,19 +11,23 @@ enum { WORK_SIZE = PEL_SCENE_SCRATCH_SIZE(0, 0, 0) };
 
 /* Offsets of the lists, bytes. */
 struct parts {
-    size_t vertices, order, spare, end;
+    size_t lights, vertices, order, spare, end;
 };
 
 static struct parts parts_of(const struct pel_scene *scene)
 {
     const struct pel_mesh *mesh = scene->mesh;
     const int32_t n = scene->lighting ? scene->lighting->lights : 0;
-    const int32_t lights = pel_max(n, 0);
-    const size_t order = PEL_SCENE_SCRATCH_SIZE(mesh->vertices, 0, lights);
+    const size_t lights =
+        WORK_SIZE + (scene->shading ? scene->shading->memory : 0);
+    const size_t vertices =
+        lights + (size_t)pel_max(n, 0) * sizeof(struct pel_mesh_light);
+    const size_t order =
+        vertices + mesh->vertices * sizeof(struct pel_frame_vertex);
     const size_t list = mesh->triangles * sizeof(struct pel_depth_entry);
     const bool twice = scene->sort && scene->sort->needs_spare;
-    return (struct parts){PEL_SCENE_SCRATCH_SIZE(0, 0, lights), order,
-                          order + list, order + list + (twice ? list : 0)};
+    return (struct parts){lights, vertices, order, order + list,
+                          order + (twice ? 2 * list : list)};
 }
 
 size_t pel_scene_scratch_size(const struct pel_scene *scene)
@@ -168,7 +173,7 @@ enum pel_status pel_scene_prepare(struct pel_frame *frame,
     frame->tolerance = scene->tolerance;
     frame->lights.lighting = NULL;
     frame->work = scratch;
-    frame->lights.light = (void *)((uint8_t *)scratch + WORK_SIZE);
+    frame->lights.light = (void *)((uint8_t *)scratch + part.lights);
     frame->vertex = (void *)((uint8_t *)scratch + part.vertices);
     frame->order = (void *)((uint8_t *)scratch + part.order);
     const enum pel_status status = start(frame);
@@ -188,29 +193,29 @@ static void draw_triangle(struct pel_frame *frame)
     struct pel_frame_work *work = frame->work;
     const struct pel_mesh_texture *texture = frame->mesh_texture;
     const struct pel_color_paint *surface = NULL;
-    work->triangle.is_set_up = false;
+    struct pel_frame_triangle *t = &work->triangle;
+    t->is_set_up = false;
     if (texture && texture->mapping->surface)
         surface = texture->mapping->surface(frame);
+    for (int i = 0; i < 3; i++)
+        t->color[i] = frame->vertex[t->vertex[i]].color;
     const struct pel_paint *paint =
-        frame->scene->shading->paint(frame, surface);
+        frame->scene->shading->paint(frame, surface, t->color);
     if (frame->filter)
         paint = frame->filter(frame, paint);
-    pel_triangle(&work->surface, work->triangle.at, paint);
+    pel_triangle(&work->surface, t->at, paint);
 }
 
-void pel_frame_set_corner(struct pel_frame *frame, int i,
-                          const struct pel_clip_corner *corner)
+struct pel_point pel_frame_corner_at(const struct pel_frame *frame,
+                                     const struct pel_clip_corner *corner)
 {
-    struct pel_frame_triangle *t = &frame->work->triangle;
-    t->corner[i] = corner;
+    const uint32_t *vertex = frame->work->triangle.vertex;
     for (int k = 0; k < 3; k++) {
-        const struct pel_projected *v = &frame->vertex[t->vertex[k]].at;
-        if (corner->weight[k] == PEL_COSINE_ONE && v->x != PEL_NOT_ON_SCREEN) {
-            t->at[i] = (struct pel_point){v->x, v->y};
-            return;
-        }
+        const struct pel_projected *v = &frame->vertex[vertex[k]].at;
+        if (corner->weight[k] == PEL_COSINE_ONE && v->x != PEL_NOT_ON_SCREEN)
+            return (struct pel_point){v->x, v->y};
     }
-    t->at[i] = pel_project_clipped(&frame->projector, corner->at);
+    return pel_project_clipped(&frame->projector, corner->at);
 }
 
 /* Cuts the triangle that `take` has set. The places of what is left become
@@ -218,17 +223,17 @@ void pel_frame_set_corner(struct pel_frame *frame, int i,
 static int32_t clip(struct pel_frame *frame)
 {
     const struct pel_mesh *mesh = frame->scene->mesh;
-    struct pel_frame_triangle *t = &frame->work->triangle;
+    const uint32_t *vertex = frame->work->triangle.vertex;
     struct pel_clip *clip = &frame->work->clip;
     for (int i = 0; i < 3; i++)
-        pel_project_fine(&frame->projector, mesh->positions[t->vertex[i]],
+        pel_project_fine(&frame->projector, mesh->positions[vertex[i]],
                          clip->corner[i].at);
     const int32_t n = pel_clip_triangle(&frame->projector, clip);
     for (int32_t i = 0; i < n; i++) {
         struct pel_clip_corner *corner = clip->polygon[0][i];
-        pel_frame_set_corner(frame, 0, corner);
-        corner->at[0] = t->at[0].x;
-        corner->at[1] = t->at[0].y;
+        const struct pel_point at = pel_frame_corner_at(frame, corner);
+        corner->at[0] = at.x;
+        corner->at[1] = at.y;
     }
     return n;
 }

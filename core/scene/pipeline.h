@@ -34,8 +34,9 @@
 PEL_BEGIN_DECLS
 
 /* Bytes of scratch memory for a frame of the scene: 16 a vertex, 8 a triangle,
- * 40 a light, and 1,800 to 2,000; for constant expressions, without a sort that
- * needs more, and as a function: 0 without a mesh. */
+ * 40 a light, and 1,300 to 1,500; for constant expressions, without a sort or a
+ * shading that needs more (PEL_PERSPECTIVE_SCRATCH_SIZE), and as a function: 0
+ * without a mesh. */
 #define PEL_SCENE_SCRATCH_SIZE(vertices, triangles, lights)         \
     (((sizeof(struct pel_frame_work) + 7) & ~PEL_CAST(size_t, 7)) + \
      PEL_CAST(size_t, lights) * sizeof(struct pel_mesh_light) +     \

@@ -33,16 +33,14 @@ pel_color pel_light_note(const struct pel_frame *frame, uint32_t vertex,
                          pel_color surface)
 {
     const struct pel_mesh_lights *lights = &frame->lights;
-    const struct pel_mesh *mesh = frame->scene->mesh;
     struct pel_light_sum sum;
-    int32_t position[3], normal[3];
+    int32_t value[PEL_LIGHT_VALUES];
     pel_cosine towards[3][3], along = PEL_COSINE_ONE, near = 0;
-    pel_mesh_lights_position(lights, mesh->positions[vertex], position);
-    pel_mesh_normal(mesh, vertex, normal);
-    if (pel_light_start(lights, position, normal, towards, &sum)) {
+    pel_frame_values(frame, vertex, value);
+    if (pel_light_start(lights, value, towards, &sum)) {
         for (int32_t i = 0; i < lights->count; i++) {
             const struct pel_mesh_light *light = &lights->light[i];
-            pel_light_towards(light, position, towards);
+            pel_light_towards(light, value + PEL_AT_POSITION, towards);
             pel_light_add(lights, light, towards, &sum);
             const pel_cosine nl = pel_weighted(towards[0], towards[2]);
             along = pel_min(along, pel_magnitude(nl));

@@ -58,7 +58,7 @@ static const struct pel_color_paint *surface(struct pel_frame *frame)
     const int32_t near = pel_min(pel_min(c[0].z, c[1].z), c[2].z);
     const int32_t far = pel_max(pel_max(c[0].z, c[1].z), c[2].z);
     if (room > 0 && is_affine(c, near, far, room))
-        return pel_frame_affine(frame, c);
+        return pel_frame_affine(frame);
     pel_perspective_init(p, &frame->texture, pel_frame_setup(frame), c,
                          room > 0 ? PEL_SPAN_MAX : PEL_SPAN_EXACT);
     /* The least w is near / far. */

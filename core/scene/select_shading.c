@@ -6,16 +6,13 @@
  * right to 1/64; a texture's factors are rounded once more. */
 enum { GOURAUD_ERROR = 128 + 4, FACTOR_ERROR = 128 };
 
-/* Colors in perspective, of vertices and of light at pixels: 1/4 step each. */
-enum { DIVISION_ERROR = 128 };
-
 /* The change of light in a pixel, of both terms, is cut to 2^-16: seven times
  * in a span. */
 enum { SPAN_ERROR = 16 };
 
 /* What a triangle's paint is chosen by. */
 struct choice {
-    const struct pel_division *division; /* NULL: all is linear on screen */
+    const struct pel_interpolation *between;
     const struct pel_color_paint *surface;
     pel_color lit[3], own[3]; /* the vertices' colors */
     struct pel_light_bounds bounds;
@@ -38,7 +35,7 @@ static const struct pel_paint *try_vertices(struct pel_frame *frame,
     const struct pel_color_ranges lit = pel_color_ranges_of(c->lit);
     const uint64_t bound = c->bounds.plane + GOURAUD_ERROR +
                            (c->surface ? FACTOR_ERROR : 0) +
-                           (c->division ? DIVISION_ERROR : 0);
+                           (uint32_t)c->between->error;
     const uint64_t range = (uint32_t)(lit.range + 1) / 2 * 256;
     const uint64_t room = (uint32_t)frame->tolerance;
     if (bound > room || lit.cut ||
@@ -50,9 +47,7 @@ static const struct pel_paint *try_vertices(struct pel_frame *frame,
         return pel_frame_flat_paint(frame, c->surface, lit.middle);
     }
     note(frame, PEL_METHOD_GOURAUD, bound);
-    const struct pel_paint *paint =
-        c->division ? c->division->gouraud(frame, c->surface, c->lit) : NULL;
-    return paint ? paint : pel_frame_gouraud_paint(frame, c->surface, c->lit);
+    return c->between->gouraud(frame, c->surface, c->lit);
 }
 
 /* The part of an edge that a pixel to the right is, 2^-16: rounded up, by more
@@ -74,7 +69,7 @@ static const struct pel_paint *light_pixels(struct pel_frame *frame,
 {
     struct pel_shaded *p = &frame->work->paint.shaded;
     const struct pel_paint *paint =
-        pel_phong_paint(frame, c->surface, c->own, c->division);
+        c->between->phong(frame, c->surface, c->own);
     const uint64_t room = (uint32_t)frame->tolerance - SPAN_ERROR;
     const uint32_t part = edge_part(pel_frame_setup(frame));
     note(frame, PEL_METHOD_PHONG, 0);
@@ -98,15 +93,17 @@ enum { FEW_PIXELS = 2 * 2 * 65536 };
 
 static const struct pel_paint *choose(struct pel_frame *frame,
                                       const struct pel_color_paint *surface,
-                                      const struct pel_division *division)
+                                      const pel_color color[3],
+                                      const struct pel_interpolation *between)
 {
-    struct choice c = {.division = division, .surface = surface};
     const struct pel_paint *paint = NULL;
+    struct choice c;
     uint8_t notes[3];
-    pel_frame_colors(frame, c.lit);
+    c.between = between;
+    c.surface = surface;
     for (int i = 0; i < 3; i++) {
-        notes[i] = (uint8_t)(c.lit[i] >> 24);
-        c.lit[i] = (c.lit[i] & 0xFFFFFFu) | (uint32_t)frame->alpha << 24;
+        notes[i] = (uint8_t)(color[i] >> 24);
+        c.lit[i] = (color[i] & 0xFFFFFFu) | (uint32_t)frame->alpha << 24;
         c.own[i] = pel_frame_surface(frame, frame->work->triangle.vertex[i]);
     }
     if (frame->tolerance >= SPAN_ERROR &&
@@ -116,19 +113,23 @@ static const struct pel_paint *choose(struct pel_frame *frame,
         return paint ? paint : light_pixels(frame, &c);
     }
     note(frame, PEL_METHOD_PHONG, 0);
-    return pel_phong_paint(frame, surface, c.own, division);
+    return between->phong(frame, surface, c.own);
 }
 
 static const struct pel_paint *chosen_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface)
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    const pel_color color[3])
 {
-    return choose(frame, surface, NULL);
+    static const struct pel_interpolation on_screen = {pel_frame_gouraud_paint,
+                                                       pel_phong_paint, 0};
+    return choose(frame, surface, color, &on_screen);
 }
 
 static const struct pel_paint *divided_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface)
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    const pel_color color[3])
 {
-    return choose(frame, surface, &pel_division);
+    return choose(frame, surface, color, &pel_in_world);
 }
 
 /* What a light may add to a channel, 1/256 step: 255/256 of the sum of its
@@ -160,6 +161,7 @@ enum pel_status pel_frame_start_chosen(struct pel_frame *frame)
 }
 
 const struct pel_shading pel_shade_chosen = {pel_frame_start_chosen,
-                                             pel_light_note, chosen_paint};
+                                             pel_light_note, chosen_paint, 0};
 const struct pel_shading pel_perspective_chosen = {
-    pel_frame_start_chosen, pel_light_note, divided_paint};
+    pel_frame_start_chosen, pel_light_note, divided_paint,
+    PEL_PERSPECTIVE_SCRATCH_SIZE};

@@ -4,7 +4,7 @@ void pel_modulated_colors(const struct pel_color_paint *paint, int32_t x,
                           int32_t y, int32_t n, pel_color *out)
 {
     const struct pel_shaded *p = (const void *)paint;
-    const struct pel_gouraud *g = &p->colors;
+    const struct pel_gouraud *g = &p->of.colors;
     uint32_t v[4];
     p->surface->colors(p->surface, x, y, n, out);
     for (int k = 0; k < 4; k++)

@@ -10,25 +10,31 @@
 
 PEL_BEGIN_DECLS
 
-/* The values at vertices and pixels. Positions are in lighting units. */
-enum {
-    PEL_AT_NORMAL = 0,
-    PEL_AT_POSITION = 3,
-    PEL_AT_COLOR = 6, /* blue, green, red: steps */
-    PEL_VALUES = 9
-};
+struct pel_frame;
+
+/* Makes the paint of frame->work->triangle, whose vertices have these colors.
+ * `surface` is a texture that is mapped to every pixel, or NULL; where it is
+ * not opaque, the paint is a struct pel_color_paint too. */
+typedef const struct pel_paint *pel_shade_function(
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    const pel_color color[3]);
+
+/* The values at vertices and pixels, behind those that light is computed from
+ * (light.h): blue, green, red, in steps. */
+enum { PEL_AT_COLOR = PEL_LIGHT_VALUES, PEL_VALUES = PEL_AT_COLOR + 3 };
 
 /* The values are linear on screen, over the triangle or, where they are divided
- * (perspective.h), over the pixels at hand. Where there is no surface the
- * colors are in its place. */
+ * (perspective.h), over the pixels at hand. */
 struct pel_shaded {
     struct pel_color_paint base;
-    const struct pel_color_paint *surface; /* or NULL */
+    const struct pel_color_paint *surface; /* NULL: the colors are values */
     const struct pel_mesh_lights *lights;
     uint8_t alpha; /* of lit ones; multiplies that of the surface */
     uint8_t span; /* bits of it, for pel_spans_colors: 1..PEL_SHADE_SPAN_MOST */
-    struct pel_gouraud colors;
-    struct pel_plane plane[PEL_VALUES]; /* of colors only where divided */
+    union {
+        struct pel_gouraud colors; /* of pel_modulated_colors */
+        struct pel_plane plane[PEL_VALUES];
+    } of;
 };
 
 /* Its functions. The surface times the colors, alphas too; the surface, or the
@@ -50,11 +56,10 @@ static inline void pel_shaded_surface(const struct pel_shaded *paint, int32_t x,
             out[i] = UINT32_C(0xFF000000);
 }
 
-/* What changes along a row: the normal and the position where light is computed
- * next, and the color at the next pixel. */
+/* The values along a row: the normal and the position where light is computed
+ * next, and the color of the next pixel. */
 struct pel_shaded_row {
-    uint64_t at[PEL_AT_COLOR];
-    uint32_t own[3];
+    uint64_t at[PEL_VALUES];
 };
 
 /* Sets it for a run from pixel x on, whose light is computed from `begin` on.
@@ -63,12 +68,10 @@ static inline void pel_shaded_start(struct pel_shaded_row *row,
                                     const struct pel_shaded *paint, int32_t x,
                                     int32_t begin, int32_t y)
 {
-    const struct pel_gouraud *own = &paint->colors;
-    for (int k = 0; k < PEL_AT_COLOR; k++)
-        row->at[k] = pel_plane_at(&paint->plane[k], begin, y);
-    for (int k = 0; k < 3 && !paint->surface; k++)
-        row->own[k] = own->at[k] + PEL_CAST(uint32_t, x) * own->dx[k] +
-                      PEL_CAST(uint32_t, y) * own->dy[k];
+    const int values = paint->surface ? PEL_AT_COLOR : PEL_VALUES;
+    for (int k = 0; k < values; k++)
+        row->at[k] =
+            pel_plane_at(&paint->of.plane[k], k < PEL_AT_COLOR ? begin : x, y);
 }
 
 /* The light where the row is, which then goes on by 2^bits pixels. */
@@ -76,21 +79,23 @@ static inline void pel_shaded_light(struct pel_shaded_row *row,
                                     const struct pel_shaded *paint, int bits,
                                     struct pel_light_sum *sum)
 {
-    int32_t value[PEL_AT_COLOR];
+    int32_t value[PEL_LIGHT_VALUES];
     PEL_UNROLL
-    for (int k = 0; k < PEL_AT_COLOR; k++) {
+    for (int k = 0; k < PEL_LIGHT_VALUES; k++) {
+        const uint64_t dx = paint->of.plane[k].dx;
         value[k] = pel_plane_whole(row->at[k]);
-        row->at[k] += bits ? paint->plane[k].dx << bits : paint->plane[k].dx;
+        row->at[k] += bits ? dx << bits : dx;
     }
-    pel_mesh_lights_sum(paint->lights, value + PEL_AT_POSITION,
-                        value + PEL_AT_NORMAL, sum);
+    pel_mesh_lights_sum(paint->lights, value, sum);
 }
 
-/* A channel of struct pel_gouraud in 1/256 steps: it has a half more, so that
- * its upper 8 bits are rounded. */
-static inline uint32_t pel_gouraud_channel(uint32_t v)
+/* The color at the row's next pixel, in 1/256 steps. */
+static inline uint32_t pel_shaded_own(uint64_t *at,
+                                      const struct pel_plane *plane)
 {
-    return v < 0x800000u ? 0 : (v - 0x7F8000u) >> 16;
+    const int32_t own = PEL_CAST(int32_t, (*at + 0x8000u) >> 16);
+    *at += plane->dx;
+    return PEL_CAST(uint32_t, pel_max(own, 0));
 }
 
 /* The color `under` a pixel, or the row's own, in the light; the row's goes on
@@ -104,10 +109,9 @@ static inline pel_color pel_shaded_color(struct pel_shaded_row *row,
     PEL_UNROLL
     for (int k = 0; k < 3; k++) {
         uint32_t own = (under >> 8 * k & 255) << 8;
-        if (!paint->surface) {
-            own = pel_gouraud_channel(row->own[k]);
-            row->own[k] += paint->colors.dx[k];
-        }
+        if (!paint->surface)
+            own = pel_shaded_own(&row->at[PEL_AT_COLOR + k],
+                                 &paint->of.plane[PEL_AT_COLOR + k]);
         lit |= pel_lit_channel(sum, 2 - k, own) << 8 * k;
     }
     return lit;

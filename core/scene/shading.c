@@ -11,8 +11,8 @@ const struct pel_plane_setup *pel_frame_setup(struct pel_frame *frame)
 {
     struct pel_frame_triangle *t = &frame->work->triangle;
     if (!t->is_set_up)
-        t->is_set_up = pel_plane_start(&t->setup, t->at);
-    return &t->setup;
+        t->is_set_up = pel_plane_start(&frame->work->setup, t->at);
+    return &frame->work->setup;
 }
 
 void pel_frame_plane(struct pel_frame *frame, const int32_t value[3],
@@ -46,13 +46,6 @@ void pel_frame_gouraud(struct pel_frame *frame, const pel_color color[3],
     }
 }
 
-void pel_frame_colors(const struct pel_frame *frame, pel_color color[3])
-{
-    PEL_UNROLL
-    for (int i = 0; i < 3; i++)
-        color[i] = frame->vertex[frame->work->triangle.vertex[i]].color;
-}
-
 /* The mean, rounded, of each channel: 43,691 / 2^18 is 1/6, and right where the
  * product fits. */
 static pel_color mean_of(const pel_color c[3])
@@ -66,13 +59,6 @@ static pel_color mean_of(const pel_color c[3])
         mean |= (2 * sum + 3) * 43691 >> 18 << k;
     }
     return mean;
-}
-
-static pel_color flat_color(const struct pel_frame *frame)
-{
-    pel_color color[3];
-    pel_frame_colors(frame, color);
-    return mean_of(color);
 }
 
 const struct pel_paint *pel_frame_flat_paint(
@@ -89,9 +75,10 @@ const struct pel_paint *pel_frame_flat_paint(
 }
 
 static const struct pel_paint *flat_paint(struct pel_frame *frame,
-                                          const struct pel_color_paint *surface)
+                                          const struct pel_color_paint *surface,
+                                          const pel_color color[3])
 {
-    return pel_frame_flat_paint(frame, surface, flat_color(frame));
+    return pel_frame_flat_paint(frame, surface, mean_of(color));
 }
 
 const struct pel_paint *pel_frame_gouraud_paint(
@@ -105,16 +92,9 @@ const struct pel_paint *pel_frame_gouraud_paint(
     return &gouraud->paint;
 }
 
-static const struct pel_paint *gouraud_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface)
-{
-    pel_color color[3];
-    pel_frame_colors(frame, color);
-    return pel_frame_gouraud_paint(frame, surface, color);
-}
-
-const struct pel_shading pel_shade_flat = {NULL, NULL, flat_paint};
-const struct pel_shading pel_shade_gouraud = {NULL, NULL, gouraud_paint};
+const struct pel_shading pel_shade_flat = {NULL, NULL, flat_paint, 0};
+const struct pel_shading pel_shade_gouraud = {NULL, NULL,
+                                              pel_frame_gouraud_paint, 0};
 
 static enum pel_status start_light(struct pel_frame *frame)
 {
@@ -128,13 +108,14 @@ static enum pel_status start_light(struct pel_frame *frame)
 
 /* The three positions are below 2^29, so that their sum fits. */
 static const struct pel_paint *facet_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface)
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    const pel_color color[3])
 {
     const struct pel_mesh *mesh = frame->scene->mesh;
     const uint32_t *vertex = frame->work->triangle.vertex;
     struct pel_light_sum sum;
-    int32_t position[3], corner[3][3];
-    pel_cosine normal[3];
+    int32_t value[PEL_LIGHT_VALUES], *position = value + PEL_AT_POSITION;
+    int32_t corner[3][3];
     int64_t facet[3];
     for (int i = 0; i < 3; i++)
         pel_mesh_lights_position(&frame->lights, mesh->positions[vertex[i]],
@@ -144,13 +125,14 @@ static const struct pel_paint *facet_paint(
         position[k] = pel_scaled(corner[0][k] + corner[1][k] + corner[2][k],
                                  715827883, 31);
     pel_mesh_facet(mesh, vertex, facet);
-    pel_normalize(facet, normal);
-    pel_mesh_lights_sum(&frame->lights, position, normal, &sum);
+    pel_normalize(facet, value + PEL_AT_NORMAL);
+    pel_mesh_lights_sum(&frame->lights, value, &sum);
     return pel_frame_flat_paint(frame, surface,
-                                pel_lit_color(&sum, flat_color(frame)));
+                                pel_lit_color(&sum, mean_of(color)));
 }
 
-const struct pel_shading pel_shade_lit_flat = {start_light, NULL, facet_paint};
+const struct pel_shading pel_shade_lit_flat = {start_light, NULL, facet_paint,
+                                               0};
 
 enum pel_status pel_frame_start_light(struct pel_frame *frame)
 {
@@ -159,17 +141,24 @@ enum pel_status pel_frame_start_light(struct pel_frame *frame)
                                              : PEL_ERROR_NULL;
 }
 
+void pel_frame_values(const struct pel_frame *frame, uint32_t vertex,
+                      int32_t value[PEL_LIGHT_VALUES])
+{
+    const struct pel_mesh *mesh = frame->scene->mesh;
+    pel_mesh_normal(mesh, vertex, value + PEL_AT_NORMAL);
+    pel_mesh_lights_position(&frame->lights, mesh->positions[vertex],
+                             value + PEL_AT_POSITION);
+}
+
 pel_color pel_frame_light_vertex(const struct pel_frame *frame, uint32_t vertex,
                                  pel_color surface)
 {
-    const struct pel_mesh *mesh = frame->scene->mesh;
     struct pel_light_sum sum;
-    int32_t position[3], normal[3];
-    pel_mesh_lights_position(&frame->lights, mesh->positions[vertex], position);
-    pel_mesh_normal(mesh, vertex, normal);
-    pel_mesh_lights_sum(&frame->lights, position, normal, &sum);
+    int32_t value[PEL_LIGHT_VALUES];
+    pel_frame_values(frame, vertex, value);
+    pel_mesh_lights_sum(&frame->lights, value, &sum);
     return pel_lit_color(&sum, surface);
 }
 
 const struct pel_shading pel_shade_lit_gouraud = {
-    pel_frame_start_light, pel_frame_light_vertex, gouraud_paint};
+    pel_frame_start_light, pel_frame_light_vertex, pel_frame_gouraud_paint, 0};

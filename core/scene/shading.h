@@ -21,24 +21,24 @@ struct pel_frame_vertex {
 
 /* A triangle to draw: one of the mesh, or a part of it that clipping left. */
 struct pel_frame_triangle {
-    uint32_t vertex[3];
-    struct pel_point at[3];
-    const struct pel_clip_corner *corner[3];
     bool is_whole; /* its corners are the vertices */
     bool is_set_up;
-    struct pel_plane_setup setup; /* read it by pel_frame_setup */
+    uint32_t vertex[3];
+    pel_color color[3]; /* of the vertices, when it is drawn */
+    struct pel_point at[3];
+    const struct pel_clip_corner *corner[3];
 };
 
 /* Scratch memory for one triangle at a time. */
 struct pel_frame_work {
-    struct pel_surface surface;
     struct pel_frame_triangle triangle;
+    struct pel_surface surface;
+    struct pel_plane_setup setup; /* of the triangle: see pel_frame_setup */
     union {
         struct pel_flat flat;
         struct pel_gouraud gouraud;
         struct pel_shaded shaded;
     } paint;
-    struct pel_divided_triangle divided;
     struct pel_perspective perspective;
     struct pel_depth_paint depth;
     struct pel_clip clip;
@@ -49,30 +49,33 @@ struct pel_frame_work {
 /* What is drawn: all, or what can store depths, or the rest of it. */
 enum pel_pass { PEL_PASS_ALL, PEL_PASS_FIRST, PEL_PASS_TRANSLUCENT };
 
+/* Small members come first: a Cortex-M0+ reaches bytes in 32 bytes and words in
+ * 128. */
 struct pel_frame {
     const struct pel_scene *scene;
     struct pel_frame_work *work;
     struct pel_frame_vertex *vertex;
     struct pel_depth_entry *order; /* NULL: that of the mesh */
+    bool translucent;              /* some part is not solid */
+    enum pel_pass pass;
+
+    /* The part of the mesh at hand, or all of it. */
+    uint8_t alpha;
+    bool opaque;               /* no pixel is translucent, nor left out */
+    bool solid;                /* no pixel is translucent */
+    uint32_t part, begin, end; /* triangles */
+    pel_color color;           /* of vertices without colors */
+    const struct pel_mesh_texture *mesh_texture; /* NULL: no texture */
+
+    uint32_t triangles; /* in `order`: those that may be seen */
     /* Puts a paint between a triangle and its paint. NULL: none. */
     const struct pel_paint *(*filter)(struct pel_frame *frame,
                                       const struct pel_paint *paint);
-    uint32_t triangles; /* in `order`: those that may be seen */
-    bool translucent;   /* some part is not solid */
-    enum pel_pass pass;
+    int32_t tolerance; /* the scene's less what lights that are left out take */
     struct pel_mesh_fault fault;   /* when an index or a part is wrong */
     struct pel_mesh_lights lights; /* lighting is NULL without light */
-    int32_t tolerance; /* the scene's less what lights that are left out take */
+    struct pel_texture texture;    /* of mesh_texture; mappings set its map */
     struct pel_projector projector;
-
-    /* The part of the mesh at hand, or all of it. */
-    uint32_t part, begin, end; /* triangles */
-    pel_color color;           /* of vertices without colors */
-    uint8_t alpha;
-    bool opaque; /* no pixel is translucent, nor left out */
-    bool solid;  /* no pixel is translucent */
-    const struct pel_mesh_texture *mesh_texture; /* NULL: no texture */
-    struct pel_texture texture; /* its sampler; its map is set by mappings */
 };
 
 /* Sets the part at hand: number i, 0 for a mesh without parts. Errors of
@@ -93,6 +96,10 @@ const struct pel_plane_setup *pel_frame_setup(struct pel_frame *frame);
 void pel_frame_plane(struct pel_frame *frame, const int32_t value[3],
                      struct pel_plane *plane);
 
+/* The normal and the position of a vertex. */
+void pel_frame_values(const struct pel_frame *frame, uint32_t vertex,
+                      int32_t value[PEL_LIGHT_VALUES]);
+
 /* Sets the paint to colors that are linear over that triangle, from those of
  * its vertices, right to 2^-6 step. */
 void pel_frame_gouraud(struct pel_frame *frame, const pel_color color[3],
@@ -103,9 +110,7 @@ void pel_frame_gouraud(struct pel_frame *frame, const pel_color color[3],
 const struct pel_paint *pel_frame_flat_paint(
     struct pel_frame *frame, const struct pel_color_paint *surface,
     pel_color color);
-const struct pel_paint *pel_frame_gouraud_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface,
-    const pel_color color[3]);
+pel_shade_function pel_frame_gouraud_paint;
 
 /* The color of a vertex before it is lit: that of the texture, the mesh or the
  * part at hand, with the part's alpha. */
@@ -115,17 +120,15 @@ pel_color pel_frame_surface(const struct pel_frame *frame, uint32_t vertex);
  * first call. */
 pel_color pel_frame_color(const struct pel_frame *frame, uint32_t vertex);
 
-/* The colors of the triangle's vertices. */
-void pel_frame_colors(const struct pel_frame *frame, pel_color color[3]);
-
 /* True when the box around three corners holds the centre of a pixel of the
  * rectangle: no other triangle covers any. */
 bool pel_box_meets(const struct pel_point at[3], const struct pel_rect *rect);
 
-/* Sets corner i of that triangle to one that clipping left. A vertex that is on
- * screen keeps its sub-pixel, so that triangles around it meet there. */
-void pel_frame_set_corner(struct pel_frame *frame, int i,
-                          const struct pel_clip_corner *corner);
+/* Where a corner that clipping left of that triangle is on screen. A vertex
+ * that is on screen keeps its sub-pixel, so that triangles around it meet
+ * there. */
+struct pel_point pel_frame_corner_at(const struct pel_frame *frame,
+                                     const struct pel_clip_corner *corner);
 
 struct pel_shading {
     /* Called once a frame, before the vertices. May be NULL. */
@@ -136,11 +139,11 @@ struct pel_shading {
     pel_color (*vertex)(const struct pel_frame *frame, uint32_t vertex,
                         pel_color surface);
 
-    /* The paint of frame->work->triangle. `surface` is a texture that is mapped
-     * to every pixel, or NULL; where it is not opaque, the paint is a struct
-     * pel_color_paint too. */
-    const struct pel_paint *(*paint)(struct pel_frame *frame,
-                                     const struct pel_color_paint *surface);
+    pel_shade_function *paint; /* of the colors that the vertices keep */
+
+    /* Bytes of scratch memory that it takes besides, a multiple of 8: they
+     * follow frame->work[0]. */
+    size_t memory;
 };
 
 /* Without light: the colors of the vertices, or of a texture, as they are.
@@ -166,12 +169,17 @@ pel_color pel_frame_light_vertex(const struct pel_frame *frame, uint32_t vertex,
  * alone. */
 extern const struct pel_shading pel_shade_phong;
 
-/* Its paint, of a triangle whose vertices have these surface colors; in
- * perspective, where that is not NULL. */
-const struct pel_paint *pel_phong_paint(struct pel_frame *frame,
-                                        const struct pel_color_paint *surface,
-                                        const pel_color color[3],
-                                        const struct pel_division *division);
+/* Its paint, of surface colors. */
+pel_shade_function pel_phong_paint;
+
+/* Its steps: the paint without its planes; `set` for each of its values, from
+ * those at the triangle's vertices. */
+typedef void pel_value_function(struct pel_frame *frame, int k,
+                                const int32_t vertex[3]);
+struct pel_shaded *pel_phong_start(struct pel_frame *frame,
+                                   const struct pel_color_paint *surface);
+void pel_phong_values(struct pel_frame *frame, const pel_color color[3],
+                      pel_value_function *set);
 
 /* pel_texture_init_nearest or pel_texture_init_bilinear. */
 typedef enum pel_status pel_sampler(struct pel_texture *paint,
@@ -185,20 +193,15 @@ struct pel_mapping {
     /* The surface of frame->work->triangle, pixel by pixel, and a paint that
      * multiplies it by the corners' colors. NULL: none. */
     const struct pel_color_paint *(*surface)(struct pel_frame *frame);
-    const struct pel_paint *(*modulate)(struct pel_frame *frame,
-                                        const struct pel_color_paint *surface,
-                                        const pel_color color[3]);
+    pel_shade_function *modulate;
 };
 
 /* What mappings are made of. Sets the corners of frame->work->triangle; the
  * affine surface of it; `modulate`. */
 void pel_frame_texels(const struct pel_frame *frame,
                       struct pel_texture_corner corner[3]);
-const struct pel_color_paint *pel_frame_affine(
-    struct pel_frame *frame, const struct pel_texture_corner corner[3]);
-const struct pel_paint *pel_frame_modulate(
-    struct pel_frame *frame, const struct pel_color_paint *surface,
-    const pel_color color[3]);
+const struct pel_color_paint *pel_frame_affine(struct pel_frame *frame);
+pel_shade_function pel_frame_modulate;
 
 /* A texel for every vertex. */
 extern const struct pel_mapping pel_map_vertices;

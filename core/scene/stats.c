@@ -22,10 +22,11 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
 }
 
 static const struct pel_paint *counted_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface)
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    const pel_color color[3])
 {
     struct pel_stats *s = frame->scene->stats;
-    s->inner = pel_shade_chosen.paint(frame, surface);
+    s->inner = pel_shade_chosen.paint(frame, surface, color);
     s->at = frame->work->method;
     s->method[s->at].triangles++;
     if (frame->work->bound > s->bound)
@@ -44,4 +45,4 @@ static enum pel_status start(struct pel_frame *frame)
 }
 
 const struct pel_shading pel_shade_counted = {start, pel_light_note,
-                                              counted_paint};
+                                              counted_paint, 0};

@@ -50,6 +50,11 @@ const char *measure_shading_name(const struct measure *measure, int shading)
     return shadings[shading].name[measure->lit];
 }
 
+bool measure_in_world(int shading)
+{
+    return shadings[shading].in_world;
+}
+
 const char *measure_mapping_name(int mapping)
 {
     return mappings[mapping].name;
@@ -77,14 +82,16 @@ struct drawing {
 };
 
 static const struct pel_paint *paint_number(
-    struct pel_frame *frame, const struct pel_color_paint *surface)
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    const pel_color color[3])
 {
     (void)surface;
+    (void)color;
     return pel_frame_flat_paint(frame, NULL,
                                 (frame->part + 1) | UINT32_C(0xFF000000));
 }
 
-static const struct pel_shading shade_number = {NULL, NULL, paint_number};
+static const struct pel_shading shade_number = {NULL, NULL, paint_number, 0};
 
 /* Draws the view as the settings say; or, `taken`, with the mappings that are
  * taken already. Core reads what is changed here when it prepares a frame. */

@@ -37,6 +37,7 @@ void measure_free(struct measure *measure);
 
 /* The object of core, without its &. */
 const char *measure_shading_name(const struct measure *measure, int shading);
+bool measure_in_world(int shading);
 const char *measure_mapping_name(int mapping);
 int measure_mapping_span(int mapping);
 

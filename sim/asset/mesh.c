@@ -78,9 +78,11 @@ static void write_name(FILE *out, const char *name, const char *what)
 /* The shading of all parts, or of each by a shading that asks for the part. */
 static void write_shading(FILE *out, const char *name, const struct measure *m)
 {
-    bool one = true;
-    for (size_t i = 1; i < m->parts; i++)
+    bool one = true, in_world = false;
+    for (size_t i = 0; i < m->parts; i++) {
         one = one && m->shading[i] == m->shading[0];
+        in_world = in_world || measure_in_world(m->shading[i]);
+    }
     if (one) {
         fprintf(out, "const struct pel_shading *const %s_shading =\n    &%s;\n",
                 name, measure_shading_name(m, m->shading[0]));
@@ -103,15 +105,18 @@ static void write_shading(FILE *out, const char *name, const struct measure *m)
             name, name);
     fprintf(out,
             "static const struct pel_paint *%s_paint(struct pel_frame *frame,\n"
-            "    const struct pel_color_paint *surface)\n"
+            "    const struct pel_color_paint *surface, const pel_color "
+            "color[3])\n"
             "{\n"
-            "    return %s_shadings[frame->part]->paint(frame, surface);\n"
+            "    return %s_shadings[frame->part]->paint(frame, surface, "
+            "color);\n"
             "}\n\n"
             "static const struct pel_shading %s_of_part = {\n"
-            "    %s, %s_vertex, %s_paint};\n"
+            "    %s, %s_vertex, %s_paint,\n"
+            "    %s};\n"
             "const struct pel_shading *const %s_shading = &%s_of_part;\n",
             name, name, name, m->lit ? "pel_frame_start_light" : "NULL", name,
-            name, name, name);
+            name, in_world ? "PEL_PERSPECTIVE_SCRATCH_SIZE" : "0", name, name);
 }
 
 static void write_mappings(FILE *out, const char *name, const struct measure *m)
@@ -191,8 +196,9 @@ static void write_figures(FILE *out, const struct model *model)
                 model->high[k]);
     fprintf(out,
             " * pel_scene_prepare takes %zu bytes of scratch memory at most, "
-            "and 40 for\n * each light. */\n",
-            pel_scene_scratch_size(&scene));
+            "40 more for\n * each light, and %zu with a shading in "
+            "perspective. */\n",
+            pel_scene_scratch_size(&scene), PEL_PERSPECTIVE_SCRATCH_SIZE);
 }
 
 bool import_mesh(const struct import_options *options,

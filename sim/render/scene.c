@@ -111,17 +111,18 @@ static void set_parts(struct scene *scene, const struct scene_settings *s,
 
 /* Every triangle in the color of its method. */
 static const struct pel_paint *paint_method(
-    struct pel_frame *frame, const struct pel_color_paint *surface)
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    const pel_color color[3])
 {
     static const struct pel_flat paints[PEL_METHODS] = {
         PEL_FLAT(PEL_RGB(96, 96, 96)), PEL_FLAT(PEL_RGB(64, 128, 255)),
         PEL_FLAT(PEL_RGB(64, 192, 64)), PEL_FLAT(PEL_RGB(224, 32, 32))};
-    pel_shade_chosen.paint(frame, surface);
+    pel_shade_chosen.paint(frame, surface, color);
     return &paints[frame->work->method].paint;
 }
 
-static const struct pel_shading shade_methods = {pel_frame_start_chosen,
-                                                 pel_light_note, paint_method};
+static const struct pel_shading shade_methods = {
+    pel_frame_start_chosen, pel_light_note, paint_method, 0};
 
 static void set_appearance(struct scene *scene, const struct scene_settings *s)
 {

@@ -61,7 +61,10 @@ void scene_prove_order(struct scene *scene)
 bool scene_draw(const struct scene *scene, const struct pel_surface *surface)
 {
     struct pel_frame frame = scene->frame;
-    struct pel_frame_work work;
+    struct {
+        struct pel_frame_work of_all;
+        struct pel_divided_triangle in_world; /* memory of the shading */
+    } work;
     const struct pel_rect *part =
         scene->is_proven ? &scene->doubt.bounds : &scene->core.viewport;
     const struct pel_rect bounds = pel_rect_intersect(&surface->clip, part);
@@ -69,7 +72,7 @@ bool scene_draw(const struct scene *scene, const struct pel_surface *surface)
     const size_t size = bits > 0 ? pel_depth_size(&bounds, bits) : 0;
     struct pel_depth depth = {0};
     void *memory = size > 0 ? malloc(size) : NULL;
-    frame.work = &work;
+    frame.work = &work.of_all;
     if (size > 0 && (!memory || pel_depth_init(&depth, &bounds, bits, memory,
                                                size) != PEL_OK)) {
         free(memory);

@@ -79,10 +79,8 @@ static bool add_corner(struct projection *p, const uint32_t vertex[3],
                        const struct pel_clip_corner *c)
 {
     struct pel_frame frame = p->scene->frame;
-    struct pel_frame_triangle *t = &frame.work->triangle;
-    memcpy(t->vertex, vertex, sizeof t->vertex);
-    pel_frame_set_corner(&frame, 0, c);
-    struct pel2d_vertex v = {.at = t->at[0],
+    memcpy(frame.work->triangle.vertex, vertex, 3 * sizeof *vertex);
+    struct pel2d_vertex v = {.at = pel_frame_corner_at(&frame, c),
                              .color = mix_colors(&frame, vertex, c->weight)};
     for (int k = 0; k < 3; k++) {
         const double weight = (double)c->weight[k] / PEL_COSINE_ONE;

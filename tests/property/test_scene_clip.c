@@ -25,14 +25,16 @@ static void count(const struct pel_paint *paint, const struct pel_spans *rows)
 static const struct pel_paint counting = {count, NULL};
 
 static const struct pel_paint *counting_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface)
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    const pel_color color[3])
 {
     (void)frame;
     (void)surface;
+    (void)color;
     return &counting;
 }
 
-static const struct pel_shading shading = {NULL, NULL, counting_paint};
+static const struct pel_shading shading = {NULL, NULL, counting_paint, 0};
 
 /* A plane cut into a grid whose inner corners are moved in the plane. */
 struct plane {

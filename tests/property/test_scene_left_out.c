@@ -12,7 +12,7 @@ TEST(lights)
 {
     static struct canvas exact, chosen;
     const struct pel_shading fewer = {pel_frame_start_chosen, NULL,
-                                      pel_shade_phong.paint};
+                                      pel_shade_phong.paint, 0};
     struct pel_frame frame;
     double tight = 0;
     for (struct cases c = cases_of(400); cases_next(&c);) {

@@ -100,11 +100,12 @@ TEST(light_of_a_place)
         for (uint32_t i = 0; i < s.mesh.vertices; i++) {
             const real white[3] = {255, 255, 255};
             real place[3], normal[3], want[3];
-            int32_t at[3], n[3];
+            int32_t value[PEL_LIGHT_VALUES];
             struct pel_light_sum sum;
-            pel_mesh_lights_position(&lights, s.positions[i], at);
-            pel_mesh_normal(&s.mesh, i, n);
-            pel_mesh_lights_sum(&lights, at, n, &sum);
+            pel_mesh_lights_position(&lights, s.positions[i],
+                                     value + PEL_AT_POSITION);
+            pel_mesh_normal(&s.mesh, i, value + PEL_AT_NORMAL);
+            pel_mesh_lights_sum(&lights, value, &sum);
             reference_place(&s.scene, i, place);
             reference_normal(&s.scene, i, normal);
             reference_light(&s.scene, place, normal, white, want);

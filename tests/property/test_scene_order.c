@@ -80,17 +80,18 @@ static void half_clear(const struct pel_color_paint *paint, int32_t x,
 }
 
 static const struct pel_paint *clear_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface)
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    const pel_color color[3])
 {
     static struct numbers numbers;
     const struct pel_flat *flat =
-        (const void *)any_scene_numbers.paint(frame, surface);
+        (const void *)any_scene_numbers.paint(frame, surface, color);
     pel_color_paint_init(&numbers.base, half_clear, false);
     numbers.color = flat->color;
     return &numbers.base.paint;
 }
 
-static const struct pel_shading numbers_or_clear = {NULL, NULL, clear_paint};
+static const struct pel_shading numbers_or_clear = {NULL, NULL, clear_paint, 0};
 
 /* The one that is seen is the nearest, but for what the buffer's bits cannot
  * tell apart. */

@@ -113,18 +113,20 @@ static void count_spans(const struct pel_paint *paint,
 }
 
 static const struct pel_paint *count_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface)
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    const pel_color color[3])
 {
     static const struct pel_paint counting = {count_spans, NULL};
     (void)frame;
     (void)surface;
+    (void)color;
     return &counting;
 }
 
 /* Counting changes no pixel, and counts each. */
 TEST(stats)
 {
-    static const struct pel_shading counting = {NULL, NULL, count_paint};
+    static const struct pel_shading counting = {NULL, NULL, count_paint, 0};
     static struct any_scene s;
     static struct canvas chosen, counted;
     struct pel_frame frame;

@@ -230,14 +230,16 @@ void any_scene_draw(struct any_scene *s, const struct pel_shading *shading,
 }
 
 static const struct pel_paint *number_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface)
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    const pel_color color[3])
 {
     const struct pel_flat paint = PEL_FLAT(0);
     const uint32_t number = frame->work->triangle.vertex[0] / 3 + 1;
     (void)surface;
+    (void)color;
     frame->work->paint.flat = paint;
     frame->work->paint.flat.color = UINT32_C(0xFF000000) | number;
     return &frame->work->paint.flat.paint;
 }
 
-const struct pel_shading any_scene_numbers = {NULL, NULL, number_paint};
+const struct pel_shading any_scene_numbers = {NULL, NULL, number_paint, 0};

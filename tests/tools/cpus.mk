@@ -122,7 +122,7 @@ BOARD ?= m4
 # RAM that an example is to run in, 2 KB of stack with it.
 BOARD_RAM_board := 4K
 BOARD_RAM_oled := 4K
-BOARD_RAM_mesh := 9K
+BOARD_RAM_mesh := 8K
 EXAMPLES_CHECKED := board game gauge mesh oled selftest watch
 
 # $1 board, $2 CPU whose code it runs, $3 example, $4 its RAM

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "core/scene/pipeline.h"
+#include "core/scene/select.h"
 #include "tests/support/check.h"
 #include "tests/support/layouts.h"
 #include "tests/support/reference_scene.h"
@@ -275,6 +276,25 @@ static enum pel_status prepare_least(void)
         pel_scene_prepare(&frame, scene, (uint8_t *)g.scratch + 4, size),
         PEL_ERROR_SCRATCH);
     return pel_scene_prepare(&frame, scene, g.scratch, size);
+}
+
+/* Values in perspective take memory where a shading names them, and only
+ * there. */
+TEST(memory_of_perspective)
+{
+    const struct pel_shading *const in_world[] = {
+        &pel_perspective_gouraud, &pel_perspective_lit_gouraud,
+        &pel_perspective_phong, &pel_perspective_chosen};
+    ground_init(1000, 10);
+    const size_t least = pel_scene_scratch_size(&g.scene);
+    for (int i = 0; i < 4; i++) {
+        struct pel_frame frame;
+        g.scene.shading = in_world[i];
+        assert_int_equal(pel_scene_scratch_size(&g.scene),
+                         least + PEL_PERSPECTIVE_SCRATCH_SIZE);
+        assert_int_equal(pel_scene_prepare(&frame, &g.scene, g.scratch, least),
+                         PEL_ERROR_SCRATCH);
+    }
 }
 
 TEST(what_cannot_be_seen_is_refused)
