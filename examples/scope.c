@@ -1,4 +1,4 @@
-/* A scope in roll mode on 480 x 320 pixels (ST7796, ILI9488): the panel moves
+/* A scope in roll mode on 480 x 320 pixels (ST7796): the panel moves
  * what it shows, and only the new columns of grid and traces are drawn and
  * sent. No frame is kept; a trace has 320 points, each joined to the next. */
 #include "drivers/display.h"

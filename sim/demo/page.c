@@ -62,7 +62,7 @@ static const struct product {
      "320 x 240: digits of a TrueType font, icons, a slider, gradients.",
      BOARD("thermostat")},
     {"scope", "Scope",
-     "320 x 240: two traces over a grid that scrolls by moving what is there.",
+     "480 x 320: two traces over a grid; the panel itself moves what it shows.",
      BOARD("scope")},
     {"globe", "Globe",
      "240 x 240: a textured mesh, lit, that turns in 20 KB of RAM.",

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "drivers/epaper.h"
-#include "drivers/panel.h"
+#include "drivers/panel_scroll.h"
 #include "drivers/touch.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
@@ -149,6 +149,23 @@ static void flip(const struct pel_display *d)
     end(pel_display_flip(d), "flip");
 }
 
+static void scroll_any(struct random *r, const struct pel_display *d)
+{
+    const int32_t from = random_between(r, -1, 200);
+    struct pel_panel_scroll scroll;
+    struct pel_display rolling;
+    begin();
+    const enum pel_status status = pel_panel_scroll_init(
+        &rolling, &scroll, d, from, from + random_between(r, 0, 200));
+    end(status, "scroll_init");
+    if (status != PEL_OK)
+        return;
+    begin();
+    end(pel_panel_scroll_by(&scroll, random_between(r, -400, 400)),
+        "scroll_by");
+    flush_any(r, &rolling);
+}
+
 static const struct pel_panel_chip *const chips[] = {
     &pel_panel_st7789,         &pel_panel_ili9341,
     &pel_panel_ili9342,        &pel_panel_ili9488,
@@ -209,9 +226,9 @@ TEST(panels)
         const enum pel_status status = pel_panel_init(&display, &panel);
         end(status, "init");
         for (int i = 0; status == PEL_OK && i < OPERATIONS; i++) {
-            const uint32_t what = random_word(r) % 8;
-            if (what < 6) {
-                flush_any(r, &display);
+            const uint32_t what = random_word(r) % 9;
+            if (what < 6 || what == 8) {
+                (what < 6 ? flush_any : scroll_any)(r, &display);
                 continue;
             }
             begin();
