@@ -99,54 +99,50 @@ bool pel_smooth_begin(struct pel_smooth *smooth,
 enum { COLORS = PEL_SMALL_CODE ? 4 : 8 };
 
 /* Into colors that are 0. */
-static void take_colors(const struct pel_smooth *smooth, int32_t x, int32_t y,
-                        int32_t n, pel_color *colors)
+static PEL_NOINLINE_32 void take_colors(const struct pel_smooth *smooth,
+                                        const struct pel_span *span, int32_t y,
+                                        pel_color *colors)
 {
     struct pel_smooth_surface buffer;
-    const struct pel_span span = {x, x + n};
-    const struct pel_spans spans = {&buffer.surface, &span, y, 1, 0};
+    const struct pel_spans spans = {&buffer.surface, span, y, 1, 0};
     pel_smooth_buffer_set(&buffer, smooth->target, span, y, colors);
     smooth->paint->fill(smooth->paint, &spans);
 }
 
-/* At most as many pixels as the buffer has. */
-static void paint_part(const struct pel_smooth *smooth, int32_t x, int32_t y,
-                       int32_t n, const uint8_t *coverage)
+/* In parts without pixels of 0 at their ends. Inlined into two functions, for
+ * less stack. */
+static PEL_ALWAYS_INLINE void paint_row(const struct pel_smooth *smooth,
+                                        const struct pel_smooth_row *row)
 {
     const struct pel_flat *const flat = pel_smooth_flat(smooth);
     const struct pel_surface *const target = smooth->target;
+    const uint8_t *const coverage = row->coverage;
+    const int32_t left = row->left, all = left + row->right;
+    struct pel_span part = {row->x + left, row->x + left + row->full};
     pel_color colors[COLORS];
-    pel_smooth_set_colors(colors, n, flat ? flat->color : 0);
-    if (!flat)
-        take_colors(smooth, x, y, n, colors);
-    pel_smooth_weigh(colors, n, coverage);
-    if (target->format)
-        target->format->put(target, x, y, n, colors);
-}
-
-/* Without the pixels of 0 at both ends. */
-static PEL_NOINLINE_32 void paint_run(const struct pel_smooth *smooth,
-                                      int32_t x, int32_t y, int32_t n,
-                                      const uint8_t *coverage)
-{
-    for (; n > 0 && coverage[n - 1] == 0; n--)
-        ;
-    for (; n > 0 && *coverage == 0; n--, x++)
-        coverage++;
-    for (int32_t k; n > 0; n -= k, x += k, coverage += k) {
-        k = pel_min(n, COLORS);
-        paint_part(smooth, x, y, k, coverage);
+    pel_smooth_paint_full(smooth, row->y, 1, &part);
+    for (int32_t i = 0, n; i < all; i += n) {
+        n = 1;
+        if (coverage[i] == 0)
+            continue;
+        n = pel_min((i < left ? left : all) - i, COLORS);
+        while (coverage[i + n - 1] == 0)
+            n--;
+        part.x0 = row->x + i + (i < left ? 0 : row->full);
+        part.x1 = part.x0 + n;
+        pel_smooth_set_colors(colors, n, flat ? flat->color : 0);
+        if (!flat)
+            take_colors(smooth, &part, row->y, colors);
+        pel_smooth_weigh(colors, n, coverage + i);
+        if (target->format)
+            target->format->put(target, part.x0, row->y, n, colors);
     }
 }
 
 void pel_smooth_paint(const struct pel_smooth *smooth,
                       const struct pel_smooth_row *row)
 {
-    const int32_t full = row->x + row->left, end = full + row->full;
-    const struct pel_span span = {full, end};
-    pel_smooth_paint_full(smooth, row->y, 1, &span);
-    paint_run(smooth, row->x, row->y, row->left, row->coverage);
-    paint_run(smooth, end, row->y, row->right, row->coverage + row->left);
+    paint_row(smooth, row);
 }
 
 void pel_smooth_paint_batch(const struct pel_smooth *smooth,
@@ -157,7 +153,7 @@ void pel_smooth_paint_batch(const struct pel_smooth *smooth,
                                        b->count[0], full->x1 - full->x0,
                                        b->count[1], b->coverage};
     if (b->n > 0)
-        pel_smooth_paint(smooth, &row);
+        paint_row(smooth, &row);
 }
 
 #endif

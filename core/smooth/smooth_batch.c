@@ -117,7 +117,7 @@ static PEL_NOINLINE_32 void take_colors(const struct pel_smooth *smooth,
     const int32_t y = r->row[0].y;
     struct pel_smooth_surface buffer;
     struct pel_spans spans = {&buffer.surface, first, y, r->n, 1};
-    pel_smooth_buffer_set(&buffer, smooth->target, *first, y, r->colors);
+    pel_smooth_buffer_set(&buffer, smooth->target, first, y, r->colors);
     buffer.surface.stride = r->pitch * r->step * (int32_t)sizeof(pel_color);
     pel_smooth_set_colors(r->colors,
                           last * r->pitch + first[last].x1 - first->x0, 0);

@@ -11,14 +11,14 @@ extern const struct pel_format pel_smooth_colors;
  * in row y; the stride is the caller's to set, if there is more than a row. */
 static inline void pel_smooth_buffer_set(struct pel_smooth_surface *buffer,
                                          const struct pel_surface *target,
-                                         struct pel_span span, int32_t y,
+                                         const struct pel_span *span, int32_t y,
                                          pel_color *colors)
 {
     buffer->surface = *target;
     buffer->target = target;
     buffer->surface.format = &pel_smooth_colors;
     buffer->surface.pixels = colors;
-    buffer->surface.bounds = (struct pel_rect){span.x0, y, span.x1, y + 1};
+    buffer->surface.bounds = (struct pel_rect){span->x0, y, span->x1, y + 1};
 }
 
 /* The paint, if it is one color; or NULL. */
