@@ -16,19 +16,13 @@ static void put(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
         *at++ = *colors++;
 }
 
-/* Many spans of a gradient's cell have no pixel. */
+/* Of one row, for little code and stack. */
 static void fill(const struct pel_spans *spans, pel_color color)
 {
     const struct pel_span *span = spans->span;
-    int32_t y = spans->y;
-    for (; span < spans->span + spans->n; span++, y += spans->step) {
-        int32_t x = span->x0;
-        if (!PEL_SMOOTH_TINY && x >= span->x1)
-            continue;
-        pel_color *at = color_at(spans->surface, x, y);
-        for (; x < span->x1; x++)
-            *at++ = color;
-    }
+    for (; span < spans->span + spans->n; span++)
+        for (int32_t x = span->x0; x < span->x1; x++)
+            *color_at(spans->surface, x, spans->y) = color;
 }
 
 static void load(const struct pel_surface *surface, int32_t x, int32_t y,
@@ -77,8 +71,8 @@ const struct pel_format pel_smooth_colors = {
     .word = 4,
     .pack = same,
     .unpack = same,
-    .fill = fill,
-    .blend = fill,
+    .fill = PEL_SMOOTH_TINY ? fill : pel_fill32,
+    .blend = PEL_SMOOTH_TINY ? fill : pel_fill32,
     .put = put,
     .load = load,
     .channels = PEL_SMOOTH_TINY ? NULL : &channels};

@@ -1,7 +1,7 @@
 /* Rows of coverage in a paint. It is asked for the colors of many rows at once:
  * to begin takes longer than the few pixels of an edge. */
+#include "../format/word.h"
 #include "smooth_layer.h"
-
 #include "smooth_mix.h"
 
 #if !PEL_SMOOTH_TINY
@@ -140,15 +140,31 @@ static void put_row(const struct pel_surface *target,
         target->format->put(target, row->x, row->y, n, colors);
 }
 
+static void mix_row(const struct pel_surface *target,
+                    const struct pel_smooth_row *row, const pel_color *colors,
+                    pel_smooth_mixer *mix)
+{
+    const int32_t bytes = target->format->bits >> 3, left = row->left;
+    const int32_t behind = left + row->full;
+    const uintptr_t at = pel_address(target, row->x, row->y, bytes);
+    mix(at, left, colors, row->coverage);
+    if (row->full > 0)
+        target->format->put(target, row->x + left, row->y, row->full,
+                            colors + left);
+    if (row->right > 0)
+        mix(at + (uintptr_t)(behind * bytes), row->right, colors + behind,
+            row->coverage + left);
+}
+
 static PEL_NOINLINE_32 void put_rows(const struct pel_surface *target,
                                      struct rows *r)
 {
-    const bool quick = pel_smooth_mixes_colors(target);
+    pel_smooth_mixer *const mix = pel_smooth_mixer_of(target->format);
     const struct pel_smooth_row *row = r->row;
     int32_t from = -row->x;
     for (int32_t i = r->n; i > 0; i--, row++, from += r->pitch)
-        if (quick)
-            pel_smooth_mix_row(target, row, r->colors + (from + row->x));
+        if (mix)
+            mix_row(target, row, r->colors + (from + row->x), mix);
         else
             put_row(target, row, r->colors + (from + row->x));
 }
@@ -208,8 +224,7 @@ static void put_flat(const struct pel_surface *target,
     for (int32_t i = 0; i < 2 * runs->n; i++) {
         const int32_t n = runs->count[i];
         const int32_t x = runs->x[i] - (i & 1 ? 0 : n);
-        for (int32_t k = 0; k < n; k++)
-            colors[k] = color;
+        pel_smooth_set_colors(colors, n, color);
         pel_smooth_weigh(colors, n, coverage);
         if (n > 0)
             target->format->put(target, x, y, n, colors);

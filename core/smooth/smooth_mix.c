@@ -64,22 +64,6 @@ static PEL_ALWAYS_INLINE void mix_rows(const struct pel_surface *s,
     }
 }
 
-/* The same in one loop. */
-static PEL_ALWAYS_INLINE void mix_runs(const struct pel_surface *s,
-                                       const struct pel_smooth_runs *runs,
-                                       struct ink ink, bool big)
-{
-    const uint8_t *coverage = runs->coverage;
-    uintptr_t line = pel_column_zero(s, runs->y, 2);
-    for (int32_t i = 0; i < 2 * runs->n; i++) {
-        const int32_t n = runs->count[i], back = i & 1 ? 0 : n;
-        coverage = mix_run(line + 2 * (uintptr_t)(runs->x[i] - back), coverage,
-                           n, ink, big);
-        if (i & 1)
-            line += (uintptr_t)(ptrdiff_t)(s->stride * runs->step);
-    }
-}
-
 static struct ink ink_of(pel_color color, const struct pel_format *format)
 {
     struct ink ink = {color & UINT32_C(0xFF00FF), pel_green(color),
@@ -130,19 +114,24 @@ static PEL_NOINLINE void mix_alpha(const struct pel_surface *s,
                                    const struct pel_smooth_runs *runs,
                                    pel_color color)
 {
-    mix_runs(s, runs, ink_of(color, s->format),
+    mix_rows(s, runs, ink_of(color, s->format),
              s->format->id == PEL_FORMAT_RGB565_BE);
 }
 
 void pel_smooth_mix(const struct pel_surface *s,
                     const struct pel_smooth_runs *runs, pel_color color)
 {
-    const struct ink ink = ink_of(color, s->format);
-    if (s->format->bits == 32)
+    if (s->format->bits == 32) {
         mix_words(s, runs, color);
-    else if (ink.alpha != 255)
+        return;
+    }
+    if (pel_alpha(color) != 255) {
         mix_alpha(s, runs, color);
-    else if (s->format->id == PEL_FORMAT_RGB565_BE)
+        return;
+    }
+    struct ink ink = ink_of(color, s->format);
+    ink.alpha = 255;
+    if (s->format->id == PEL_FORMAT_RGB565_BE)
         mix_rows(s, runs, ink, true);
     else
         mix_rows(s, runs, ink, false);
@@ -155,17 +144,14 @@ static PEL_ALWAYS_INLINE uint32_t weight_of(pel_color color, uint32_t coverage)
                : pel_round_div255(pel_alpha(color) * coverage);
 }
 
-static PEL_ALWAYS_INLINE void mix_colors_565(const struct pel_surface *s,
-                                             const struct pel_smooth_row *row,
-                                             const pel_color *colors, bool big)
+static PEL_ALWAYS_INLINE void mix_colors(uintptr_t at, int32_t n,
+                                         const pel_color *colors,
+                                         const uint8_t *coverage, bool big)
 {
-    const uint8_t *coverage = row->coverage;
-    pel_word16 *p = pel_address16(s, row->x, row->y);
-    int32_t left = row->left, full = row->full;
-    for (int32_t n = left + full + row->right; n > 0; n--, p++) {
+    pel_word16 *p = (pel_word16 *)at;
+    for (pel_word16 *const end = p + n; p < end; p++) {
         const pel_color color = *colors++;
-        const bool is_full = left-- <= 0 && full-- > 0;
-        const uint32_t weight = weight_of(color, is_full ? 255 : *coverage++);
+        const uint32_t weight = weight_of(color, *coverage++);
         *p = (pel_word16)in_order(mixed_565(in_order(*p, big), weight,
                                             color & UINT32_C(0xFF00FF),
                                             pel_green(color)),
@@ -173,34 +159,40 @@ static PEL_ALWAYS_INLINE void mix_colors_565(const struct pel_surface *s,
     }
 }
 
-static PEL_NOINLINE void mix_colors_32(const struct pel_surface *s,
-                                       const struct pel_smooth_row *row,
-                                       const pel_color *colors)
+static void mix_little(uintptr_t at, int32_t n, const pel_color *colors,
+                       const uint8_t *coverage)
 {
-    const uint8_t *coverage = row->coverage;
-    pel_word32 *p = pel_address32(s, row->x, row->y);
-    int32_t left = row->left, full = row->full;
-    for (int32_t n = left + full + row->right; n > 0; n--, p++) {
-        const pel_color color = *colors++, m = UINT32_C(0xFF00FF);
-        const bool is_full = left-- <= 0 && full-- > 0;
-        const uint32_t weight = weight_of(color, is_full ? 255 : *coverage++);
-        const uint32_t pixel = PEL_LE32(*p);
+    mix_colors(at, n, colors, coverage, false);
+}
+
+static void mix_big(uintptr_t at, int32_t n, const pel_color *colors,
+                    const uint8_t *coverage)
+{
+    mix_colors(at, n, colors, coverage, true);
+}
+
+static void mix_32(uintptr_t at, int32_t n, const pel_color *colors,
+                   const uint8_t *coverage)
+{
+    pel_word32 *p = (pel_word32 *)at;
+    for (pel_word32 *const end = p + n; p < end; p++) {
+        const pel_color color = *colors++;
+        const uint32_t weight = weight_of(color, *coverage++);
+        const uint32_t even = color & UINT32_C(0xFF00FF), odd = color >> 8;
         if (weight > 0)
-            *p = PEL_LE32(mixed_32(pixel, weight, color & m, color >> 8 & m) |
-                          UINT32_C(0xFF000000));
+            *p = PEL_LE32(
+                mixed_32(PEL_LE32(*p), weight, even, odd & UINT32_C(0xFF00FF)) |
+                UINT32_C(0xFF000000));
     }
 }
 
-void pel_smooth_mix_row(const struct pel_surface *s,
-                        const struct pel_smooth_row *row,
-                        const pel_color *colors)
+pel_smooth_mixer *pel_smooth_mixer_of(const struct pel_format *format)
 {
-    if (s->format->bits == 32)
-        mix_colors_32(s, row, colors);
-    else if (s->format->id == PEL_FORMAT_RGB565_BE)
-        mix_colors_565(s, row, colors, true);
-    else
-        mix_colors_565(s, row, colors, false);
+    if (format->id == PEL_FORMAT_XRGB8888)
+        return mix_32;
+    if (format->id == PEL_FORMAT_RGB565_LE)
+        return mix_little;
+    return format->id == PEL_FORMAT_RGB565_BE ? mix_big : NULL;
 }
 
 #endif

@@ -27,15 +27,10 @@ static inline bool pel_smooth_mixes(const struct pel_surface *surface)
 void pel_smooth_mix(const struct pel_surface *surface,
                     const struct pel_smooth_runs *runs, pel_color color);
 
-/* Has it a way for pixels of a color each? */
-static inline bool pel_smooth_mixes_colors(const struct pel_surface *surface)
-{
-    const uint8_t id = surface->format->id;
-    return id <= PEL_FORMAT_RGB565_BE || id == PEL_FORMAT_XRGB8888;
-}
+/* Mixes n colors with a coverage each into pixels from an address on. */
+typedef void pel_smooth_mixer(uintptr_t at, int32_t n, const pel_color *colors,
+                              const uint8_t *coverage);
 
-/* Mixes the colors of a row's pixels into it. */
-void pel_smooth_mix_row(const struct pel_surface *surface,
-                        const struct pel_smooth_row *row,
-                        const pel_color *colors);
+/* The one of rgb565_le, rgb565_be or xrgb8888; NULL for other formats. */
+pel_smooth_mixer *pel_smooth_mixer_of(const struct pel_format *format);
 #endif
