@@ -55,9 +55,15 @@ $(BUILD)/sim/%.o: sim/%.c $(BUILD)/sim/flags
 
 $(BUILD)/sim/font/asset.o: sim/scenes/fixed_6x13.bdf
 
+# Scripts that need fonts of a package.
+DEMO_FONT := /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf
+DEMO_TYPE := $(and $(filter freetype2,$(SIM_PACKAGES)),$(wildcard \
+    $(DEMO_FONT)),$(sort $(wildcard sim/scenes/fonts/*.pel)))
+
 .PHONY: demo FORCE
 demo: $(BUILD)/pel ## the gallery, with the time of each picture, in build/demo
-	$(BUILD)/pel demo $(BUILD)/demo $(sort $(wildcard sim/scenes/*.pel)) \
+	@$(if $(wildcard $(DEMO_FONT)),:,echo "no type specimen: the package fonts-dejavu-core is missing")
+	$(BUILD)/pel demo $(BUILD)/demo $(sort $(wildcard sim/scenes/*.pel)) $(DEMO_TYPE) \
 	    $(shell sed -n 's,^\([a-z]*\) .*,docs/pictures/\1.png,p' docs/pictures/list.txt) \
 	    docs/PRODUCTS.md
 	@echo "the gallery: $(BUILD)/demo/index.html"

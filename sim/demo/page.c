@@ -21,7 +21,7 @@ static const struct page_section first[] = {
     {"paints", "Paints", "Any paint on any shape, opaque or seen through.",
      "gradients wheel dither glass blend textures figures figures-flat "
      "figures-corners figures-rings figures-sectors"},
-    {"text", "Text, pictures, formats", "", "text scroll formats"},
+    {"text", "Text, pictures, formats", "", "text type scroll formats"},
     {"meshes", "3-D",
      "Flat, Gouraud, textures, Phong. <a href=\"lighting.html\">Light term by "
      "term</a> has a page of its own.",

@@ -54,13 +54,14 @@ static void draw_kind(const struct pel_surface *surface, struct any_shape s,
         (outline ? any_draw_outline : any_draw)(surface, &s, paint);
 }
 
-/* Or a convex polygon, which it need not be. */
+/* Or a convex polygon, which it need not be. Paths are drawn in api_paths.c, in
+ * little memory: in much of it dashes that all share columns take minutes. */
 static void draw_smooth(const struct pel_surface *surface,
                         const struct shape *s, uint32_t kind,
                         const struct pel_paint *paint)
 {
     struct any_shape any = s->any;
-    any.kind = (enum any_kind)(kind % ANY_KINDS);
+    any.kind = (enum any_kind)(kind % ANY_PATH);
     if (!any_draw_smooth(surface, &any, paint))
         pel_smooth_convex(surface, any.v, any.n, paint);
 }

@@ -107,6 +107,13 @@ if "$PEL" import "$dejavu" --outline -o "$work/o.c" >/dev/null 2>"$work/err"; th
     # each has an advance of 569
     same 'rect 11.4140625 2.609375 1.4375 12.15625\nrect 6.96875 2.609375 1.4375 12.15625' \
         "font outline $dejavu\\noption align center\\ntext outline 9.90625 14.765625 16 0 \"ll\""
+    for format in xrgb8888 mono1_pages; do
+        for rows in 0 56; do
+            "$PEL" run sim/scenes/fonts/type.pel --bands $rows \
+                --format $format -o "$work/$rows.ppm" || fail "type.pel"
+        done
+        cmp "$work/0.ppm" "$work/56.ppm" || fail "type.pel in bands, $format"
+    done
 else
     grep -q libfreetype-dev "$work/err" || fail "$dejavu: $(cat "$work/err")"
 fi
