@@ -100,9 +100,10 @@ enum pel_status pel_path_check(const struct pel_path *path);
  * PEL_ERROR_NULL, PEL_ERROR_FORMAT (as pel_path_check), PEL_ERROR_RANGE (a
  * point out of range; of a stroke, one nearer to its end than the width, or
  * than half of the width times the miter limit; a number of the shape out of
- * its own range), PEL_ERROR_SCRATCH (not aligned to 8): nothing is drawn then.
- * PEL_ERROR_SCRATCH, too, where there is no room for one row: of a fill, which
- * has more sides there, rows above it have been drawn. */
+ * its own range): nothing is drawn then. PEL_ERROR_SCRATCH: the memory is not
+ * aligned to 8, or too small for one row of a stroke, and nothing is drawn; or
+ * a row of a fill has more sides than there is room for, and the rows above it
+ * are drawn. */
 enum pel_status pel_path_fill(const struct pel_surface *surface,
                               const struct pel_path_shape *shape,
                               const struct pel_paint *paint, void *scratch,
@@ -117,7 +118,8 @@ enum pel_status pel_polyline(const struct pel_surface *surface,
                              size_t size);
 
 /* Hit tests as in hit/hit.h: true for the pixels that these cover. They walk
- * the path. */
+ * the path, and what a drawing keeps in scratch memory is on the stack: on a
+ * Cortex-M0+ a fill's takes 0.4 KB of it, a stroke's 0.8, one of dashes 0.9. */
 bool pel_hit_path_fill(const struct pel_path_shape *shape, int32_t x,
                        int32_t y);
 bool pel_hit_path_stroke(const struct pel_path_shape *shape, int32_t x,

@@ -16,8 +16,9 @@ PEL_BEGIN_DECLS
 /* The same outlines as their twins in path.h, painted by the part of each pixel
  * that is inside, as pel_smooth_polygon does: within .5 + .02 k of 255, of k
  * pieces of the border in the pixel, and so where a stroke crosses itself
- * there, too. Errors are the same, and PEL_ERROR_SCRATCH where memory is not
- * aligned to 8 or too small for the row of pixels. */
+ * there, too. Errors are the same; PEL_ERROR_SCRATCH, too, where the memory is
+ * too small for the sums of a row, and where a row of a stroke has more sides
+ * than there is room for, as one of a fill. */
 enum pel_status pel_smooth_path_fill(const struct pel_surface *surface,
                                      const struct pel_path_shape *shape,
                                      const struct pel_paint *paint,

@@ -168,7 +168,7 @@ static PEL_NOINLINE void paint_rows(const struct bits *b,
     pel_collect_end(&c);
 }
 
-/* How many rows of the surface there is memory for, up to 2^16. */
+/* How many rows of the clip the memory has room for, or 1 GB of it. */
 static int32_t rows_in(const struct pel_scratch *scratch,
                        const struct pel_rect *clip)
 {

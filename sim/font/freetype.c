@@ -268,7 +268,8 @@ static void report(const struct reading *r)
     else if (r->large > 0)
         message_error_at(r->file->path, 0,
                          "%u glyphs are left out: expected glyphs and "
-                         "advances of 0 to %d, within -%d to %d of the origin",
+                         "advances of 0 to %d px, within -%d to %d of the "
+                         "origin",
                          r->large, FONT_SIZE_MAX, FONT_SIZE_MAX, FONT_SIZE_MAX);
     charset_report(&r->charset, r->file->path);
 }
@@ -321,8 +322,9 @@ static bool set_lines(const struct reading *r)
             r->font->descent >= 0 && r->font->descent <= most) ||
            message_error_at(r->file->path, 0,
                             "lines reach from %d above to %d below the "
-                            "baseline: expected 0 to %d",
-                            r->font->ascent, r->font->descent, most);
+                            "baseline: expected 0 to %d %s",
+                            r->font->ascent, r->font->descent, most,
+                            r->font->em ? "units" : "px");
 }
 
 /* An em of 256 units at least: core/image/outline_text.c divides by it. */

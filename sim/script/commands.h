@@ -37,7 +37,7 @@ struct script_pen {
     const struct pel_font_asset *font;             /* in force, or NULL */
     const struct pel_outline_font_asset *outlines; /* the same */
     uint8_t align; /* of text of outlines: enum pel_text_align */
-    bool failed; /* a mesh had too little memory, or a light is one too many */
+    bool failed;   /* there was too little memory, or a light is one too many */
     struct script_scene *scene; /* of commands that SCRIPT_SCENE marks, which
                                    do nothing when it is NULL */
     void *scratch;              /* for the largest polygon of the script */
@@ -175,6 +175,10 @@ uint32_t script_coverage(const struct script_pen *pen,
 /* The paint in force, blended and dithered when that is; good until the next
  * call. */
 const struct pel_paint *script_paint(const struct script_pen *pen);
+
+/* Of a path, a stroke or a text of outlines: tells, once, where a row had more
+ * sides than there is room for. Other errors were found when it was read. */
+void script_finish(struct script_pen *pen, enum pel_status status);
 
 /* Bytes of struct script_paints, memory for any paint. */
 size_t script_paint_size(void);

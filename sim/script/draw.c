@@ -124,6 +124,16 @@ void script_pen_free(struct script_pen *pen)
     free(pen->paints);
 }
 
+void script_finish(struct script_pen *pen, enum pel_status status)
+{
+    if (status == PEL_ERROR_SCRATCH && !pen->failed)
+        message_error_at(pen->script->path, pen->item->line,
+                         "%s: a row of pixels has more than 65536 sides: "
+                         "expected fewer",
+                         pen->item->command->name);
+    pen->failed = pen->failed || status == PEL_ERROR_SCRATCH;
+}
+
 /* `context` is the pen with which each band begins. */
 static void draw_all(struct pel_surface *surface, void *context)
 {

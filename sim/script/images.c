@@ -22,8 +22,7 @@ static void set_outlines(struct script_pen *pen, const int32_t *v)
     pen->outlines = &pen->script->assets[v[0]].outlines;
 }
 
-/* There is a font of outlines. A row has more sides than there is room for only
- * in a font that was made for that. */
+/* There is a font of outlines. */
 static void draw_outline_text(struct script_pen *pen, const int32_t *v)
 {
     const struct pel_point at = {v[0], v[1]};
@@ -32,11 +31,10 @@ static void draw_outline_text(struct script_pen *pen, const int32_t *v)
         .string = pen->script->assets[v[4]].text,
         .transform = pel_outline_transform(pen->outlines, v[2], v[3], at),
         .align = (enum pel_text_align)pen->align};
-    const enum pel_status status =
-        (pen->smooth ? pel_smooth_outline_text
-                     : pel_outline_text)(pen->surface, &text, script_paint(pen),
-                                         pen->scratch, pen->scratch_size);
-    pen->failed = pen->failed || status == PEL_ERROR_SCRATCH;
+    script_finish(pen,
+                  (pen->smooth ? pel_smooth_outline_text : pel_outline_text)(
+                      pen->surface, &text, script_paint(pen), pen->scratch,
+                      pen->scratch_size));
 }
 
 static struct pel_copy_part copy_of(const struct script_pen *pen,

@@ -30,21 +30,15 @@ static struct pel_stroke stroke_of(const struct script_pen *pen, int32_t width,
                                    pen->dash[0] + pen->dash[1] ? dashes : NULL};
 }
 
-/* What fails is told: most likely a row with more sides than there is room. */
-static void finish(struct script_pen *pen, enum pel_status status)
-{
-    pen->failed = pen->failed || status != PEL_OK;
-}
-
 static void draw_polyline(struct script_pen *pen, const int32_t *v)
 {
     const struct points p = points_of(pen, v);
     struct pel_dashes dashes;
     const struct pel_polyline_shape line = {
         p.v, p.n, pen->item->command->closed, stroke_of(pen, p.width, &dashes)};
-    finish(pen, (pen->smooth ? pel_smooth_polyline : pel_polyline)(
-                    pen->surface, &line, script_paint(pen), pen->scratch,
-                    pen->scratch_size));
+    script_finish(pen, (pen->smooth ? pel_smooth_polyline : pel_polyline)(
+                           pen->surface, &line, script_paint(pen), pen->scratch,
+                           pen->scratch_size));
 }
 
 /* Cubic curves, each from where the one before it ends; a fill closes them. */
@@ -66,13 +60,14 @@ static void draw_path(struct script_pen *pen, const int32_t *v)
     for (int32_t i = 1; i <= curves; i++)
         verbs[i] = PEL_CUBIC;
     if (p.width > 0)
-        finish(pen, (pen->smooth ? pel_smooth_path_stroke : pel_path_stroke)(
-                        pen->surface, &shape, script_paint(pen), pen->scratch,
-                        pen->scratch_size));
+        script_finish(pen,
+                      (pen->smooth ? pel_smooth_path_stroke : pel_path_stroke)(
+                          pen->surface, &shape, script_paint(pen), pen->scratch,
+                          pen->scratch_size));
     else
-        finish(pen, (pen->smooth ? pel_smooth_path_fill : pel_path_fill)(
-                        pen->surface, &shape, script_paint(pen), pen->scratch,
-                        pen->scratch_size));
+        script_finish(pen, (pen->smooth ? pel_smooth_path_fill : pel_path_fill)(
+                               pen->surface, &shape, script_paint(pen),
+                               pen->scratch, pen->scratch_size));
 }
 
 /* A miter goes at most twice the width from a point. */

@@ -50,6 +50,18 @@ echo 'stroke curve 4 1 2 3 4 5 6 7 8 9 10' |
     refused_script 2 'stroke curve: expected a point, and three more for each'
 echo 'path nonzero 1 2 3 4 5 6 7 8 9 10' |
     refused_script 2 'path nonzero: expected a point, and three more for each'
+
+# more sides in a row than there is room for, of curves that are nearly level
+awk 'BEGIN {
+    printf "canvas 40 40 rgb888\noption smooth on\npath nonzero -16000 10"
+    for (i = 0; i < 2000; i++)
+        printf " %d 10.9 %d 10.1 %d 10.5", a = i % 2 ? -16000 : 16000, a, a
+    print ""
+}' >"$work/s.pel"
+"$PEL" run "$work/s.pel" -o "$work/o.ppm" 2>"$work/err" &&
+    fail "drawn without room"
+grep -q 's.pel:3: path nonzero: a row of pixels has more than 65536 sides' \
+    "$work/err" || fail "no room: $(cat "$work/err")"
 echo 'dash 0.5 0.25 0' | refused_script 2 'dash: expected a dash and a gap of 1'
 echo 'option cap flat' | refused_script 2 'option cap: flat: expected butt'
 echo 'sector 16 16 9 0.5 0.5' |
