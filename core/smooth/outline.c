@@ -74,10 +74,9 @@ static inline bool find_quarter(const struct pel_smooth_outline *o,
     return !o->cut || o->cut(s, b, k, quadrant & 1);
 }
 
-static PEL_NOINLINE_32 void visit_bow(const struct pel_smooth_outline *o,
-                                      const struct pel_smooth_bow *b,
-                                      int32_t down,
-                                      struct pel_smooth_visitor *visitor)
+static inline void visit_bow(const struct pel_smooth_outline *o,
+                             const struct pel_smooth_bow *b, int32_t down,
+                             struct pel_smooth_visitor *visitor)
 {
     struct pel_smooth_crossing c;
     for (int32_t k = 0; k < b->count; k++)
@@ -108,8 +107,8 @@ void pel_smooth_others(struct pel_smooth_outline *o, int32_t y,
     }
 }
 
-void pel_smooth_visit(struct pel_smooth_outline *o, int32_t y,
-                      struct pel_smooth_visitor *visitor)
+void pel_smooth_visit_bows(struct pel_smooth_outline *o, int32_t y,
+                           struct pel_smooth_visitor *visitor)
 {
     for (struct pel_smooth_bow *b = o->bow; b < o->bow + o->bows; b++) {
         const int32_t down = y * 256 - b->center.y;
@@ -119,8 +118,6 @@ void pel_smooth_visit(struct pel_smooth_outline *o, int32_t y,
         go_to(o, b, y);
         visit_bow(o, b, down, visitor);
     }
-    if (o->others)
-        o->others(o, y, visitor);
 }
 
 /* Where ends meet a sum may be more than a pixel. */
@@ -129,17 +126,19 @@ static uint8_t coverage_of(int32_t sum)
     return pel_smooth_coverage((uint32_t)pel_min(sum, 32768));
 }
 
+/* Is it of a full pixel, or of one that is empty? */
+static bool is_whole(uint8_t coverage)
+{
+    return (uint8_t)(coverage + 1) < 2;
+}
+
 #if PEL_SMALL_CODE
-/* Pixels from row.x on, and the area right of the sides in the next one. */
+/* A pixel, in which the areas right of the sides are added up. */
 struct window {
     struct pel_smooth_visitor visitor; /* first */
-    int32_t next;                      /* that pixel; up to `end` .. */
-    int32_t end;                       /* .. all are like it */
-    int32_t sum;                       /* 2^-15 px */
-    struct pel_smooth_row row;
-    struct {
-        uint8_t coverage[COLUMNS];
-    } of;
+    int32_t x;
+    int32_t next; /* up to here all are like it */
+    int32_t sum;  /* 2^-15 px */
 };
 
 /* Adds what lies right of a side, or takes it away. */
@@ -149,10 +148,10 @@ static void add_side(struct pel_smooth_visitor *window,
     struct window *const w = (void *)window;
     struct pel_smooth_arc_piece piece = {0, 0, INT32_MIN, 0};
     const struct pel_span columns = pel_smooth_crossing_columns(c);
-    const int32_t x = w->next;
+    const int32_t x = w->x;
     int32_t area = pel_smooth_height(&c->strip);
     if (x < columns.x1)
-        w->end = pel_min(w->end, pel_max(columns.x0, x + 1));
+        w->next = pel_min(w->next, pel_max(columns.x0, x + 1));
     if (x < columns.x0)
         return;
     if (x < columns.x1) {
@@ -164,41 +163,37 @@ static void add_side(struct pel_smooth_visitor *window,
     w->sum += c->rising ? area : -area;
 }
 
-/* Those to the next full or empty ones, or as many as there is room for. */
-static PEL_NOINLINE void find_coverage(struct pel_smooth_outline *o,
-                                       struct window *w)
+/* The pixels of a row, up to full or empty ones, or as many as there is room
+ * for: where the next ones begin. */
+static PEL_NOINLINE int32_t find_coverage(struct pel_smooth_outline *o,
+                                          struct pel_smooth_row *row,
+                                          uint8_t *to)
 {
-    struct pel_smooth_row *const row = &w->row;
-    w->next = row->x;
+    struct window w;
+    w.visitor.visit = add_side;
     row->left = row->full = 0;
-    while (w->next < o->seen.x1 && row->left < COLUMNS) {
-        w->end = o->seen.x1;
-        w->sum = 0;
-        pel_smooth_visit(o, row->y, &w->visitor);
-        const uint8_t coverage = coverage_of(w->sum);
-        if ((uint8_t)(coverage + 1) < 2) {
-            row->full = coverage ? w->end - w->next : 0;
-            w->next = w->end;
-            return;
+    for (w.x = row->x; w.x < o->seen.x1 && row->left < COLUMNS; w.x++) {
+        w.next = o->seen.x1;
+        w.sum = 0;
+        pel_smooth_visit(o, row->y, &w.visitor);
+        to[row->left] = coverage_of(w.sum);
+        if (is_whole(to[row->left])) {
+            row->full = to[row->left] ? w.next - w.x : 0;
+            return w.next;
         }
-        w->of.coverage[row->left++] = coverage;
-        w->next++;
+        row->left++;
     }
+    return w.x;
 }
 #else
-/* Some columns of a row, from row.x on, in which the areas right of its sides
- * are added up. */
+/* Some columns of a row, in which the areas right of its sides are added up. */
 struct window {
     struct pel_smooth_visitor visitor; /* first */
-    int32_t n;
+    int32_t x, n;                      /* columns from x on */
+    int32_t used; /* of them, up to the last one that a side crosses */
     int32_t next; /* the first one behind them that a side crosses */
-    struct pel_smooth_row row;
-    union {
-        int32_t sum[COLUMNS + 1]; /* what each has more than the one before it,
-                                     and what those up to `next` have, 2^-15 px
-                                   */
-        uint8_t coverage[COLUMNS];
-    } of;
+    int32_t sum[COLUMNS + 1]; /* what each has more than the one before it, and
+                                 what those up to `next` have, 2^-15 px */
 };
 
 /* Adds what lies right of a side in columns, which it crosses, and behind them;
@@ -208,7 +203,7 @@ static void add_columns(struct window *w, const struct pel_smooth_crossing *c,
 {
     struct pel_smooth_arc_piece piece = {0, 0, INT32_MIN, 0};
     const int32_t h = pel_smooth_height(&c->strip);
-    int32_t *sum = w->of.sum + (columns.x1 - w->row.x);
+    int32_t *sum = w->sum + (columns.x1 - w->x);
     int32_t n = columns.x1 - columns.x0, x = c->left ? -columns.x1 : columns.x0;
     *sum += c->rising ? h : -h;
     sum -= c->left ? 1 : n;
@@ -228,69 +223,68 @@ static void add_side(struct pel_smooth_visitor *window,
                      struct pel_smooth_crossing *c)
 {
     struct window *const w = (void *)window;
-    const int32_t h = pel_smooth_height(&c->strip), end = w->row.x + w->n;
+    const int32_t h = pel_smooth_height(&c->strip), end = w->x + w->n;
     struct pel_span columns = pel_smooth_crossing_columns(c);
-    if (columns.x1 <= w->row.x)
-        w->of.sum[0] += c->rising ? h : -h;
+    if (columns.x1 <= w->x)
+        w->sum[0] += c->rising ? h : -h;
     if (columns.x1 > end)
         w->next = pel_min(w->next, pel_max(columns.x0, end));
-    columns.x0 = pel_max(columns.x0, w->row.x);
+    columns.x0 = pel_max(columns.x0, w->x);
     columns.x1 = pel_min(columns.x1, end);
     if (columns.x0 >= columns.x1)
         return;
-    w->row.left = pel_max(w->row.left, columns.x1 - w->row.x);
+    w->used = pel_max(w->used, columns.x1 - w->x);
     add_columns(w, c, columns);
 }
 
-static void fill_window(struct pel_smooth_outline *o, struct window *w)
+static void fill_window(struct pel_smooth_outline *o, int32_t y,
+                        struct window *w)
 {
-    w->n = pel_min(o->seen.x1 - w->row.x, COLUMNS);
+    w->visitor.visit = add_side;
+    w->n = pel_min(o->seen.x1 - w->x, COLUMNS);
     w->next = o->seen.x1;
-    w->row.left = w->row.full = 0;
+    w->used = 0;
     /* volatile: no call of memset, which may be the only one */
     for (int32_t i = 0; i <= w->n; i++)
-        ((volatile int32_t *)w->of.sum)[i] = 0;
-    pel_smooth_visit(o, w->row.y, &w->visitor);
+        ((volatile int32_t *)w->sum)[i] = 0;
+    pel_smooth_visit(o, y, &w->visitor);
 }
 
-/* Sums become bytes, each after the sum that it lies in has been read. All
- * pixels from those that a side crosses to `next` are full or empty, or the
- * window is as long as it can be. */
-static PEL_NOINLINE void find_coverage(struct pel_smooth_outline *o,
-                                       struct window *w)
+/* The pixels of a row that sides cross, and the full ones behind them: where
+ * the next ones begin. All of these up to `next` are alike, or the window is as
+ * long as it can be. */
+static PEL_NOINLINE int32_t find_coverage(struct pel_smooth_outline *o,
+                                          struct pel_smooth_row *row,
+                                          uint8_t *to)
 {
-    struct pel_smooth_row *const row = &w->row;
-    fill_window(o, w);
-    int32_t sum = 0;
-    for (int32_t i = 0;; i++) {
-        sum += w->of.sum[i];
+    struct window w;
+    w.x = row->x;
+    fill_window(o, row->y, &w);
+    int32_t sum = 0, i = 0;
+    for (;; i++) {
+        sum += w.sum[i];
         const uint8_t coverage = coverage_of(sum);
-        if (i >= row->left) {
+        if (i >= w.used && (i == w.n || is_whole(coverage))) {
             row->left = i;
-            if (coverage == 255)
-                row->full = w->next - row->x - i;
-            if ((uint8_t)(coverage + 1) < 2)
-                return;
-            if (i == w->n) {
-                w->next = row->x + i;
-                return;
-            }
+            row->full = coverage == 255 ? w.next - w.x - i : 0;
+            return is_whole(coverage) ? w.next : w.x + i;
         }
-        w->of.coverage[i] = coverage;
+        to[i] = coverage;
     }
 }
 #endif
 
 static void paint_row(struct pel_smooth_outline *o, int32_t y)
 {
-    struct window w;
-    w.visitor.visit = add_side;
-    w.row.y = y;
-    w.row.right = 0;
-    w.row.coverage = w.of.coverage;
-    for (w.row.x = o->seen.x0; w.row.x < o->seen.x1; w.row.x = w.next) {
-        find_coverage(o, &w);
-        pel_smooth_paint(&o->smooth, &w.row);
+    uint8_t coverage[COLUMNS];
+    struct pel_smooth_row row;
+    int32_t next;
+    row.y = y;
+    row.right = 0;
+    row.coverage = coverage;
+    for (row.x = o->seen.x0; row.x < o->seen.x1; row.x = next) {
+        next = find_coverage(o, &row, coverage);
+        pel_smooth_paint(&o->smooth, &row);
     }
 }
 

@@ -82,10 +82,20 @@ struct pel_smooth_visitor {
                   struct pel_smooth_crossing *crossing);
 };
 
-void pel_smooth_visit(struct pel_smooth_outline *outline, int32_t y,
-                      struct pel_smooth_visitor *visitor);
+void pel_smooth_visit_bows(struct pel_smooth_outline *outline, int32_t y,
+                           struct pel_smooth_visitor *visitor);
 void pel_smooth_others(struct pel_smooth_outline *outline, int32_t y,
                        struct pel_smooth_visitor *visitor);
+
+/* All of them. */
+static inline void pel_smooth_visit(struct pel_smooth_outline *outline,
+                                    int32_t y,
+                                    struct pel_smooth_visitor *visitor)
+{
+    pel_smooth_visit_bows(outline, y, visitor);
+    if (outline->others)
+        outline->others(outline, y, visitor);
+}
 
 /* The inner boundary of a column that it crosses, in its picture. */
 static inline int32_t pel_smooth_boundary(const struct pel_smooth_crossing *c,
