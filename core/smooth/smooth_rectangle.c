@@ -23,24 +23,31 @@ static inline int32_t coverage_at(const struct rectangle *k, int32_t x,
 /* Pixels that are painted at a time, beside full ones. */
 enum { PIXELS = PEL_SMOOTH_TINY ? 8 : 32 };
 
-/* Row y: pixels before full ones, and those. */
+/* Row y: those between its ends are alike. */
 static PEL_NOINLINE_32 void paint_row(const struct rectangle *k, int32_t y,
                                       struct pel_span columns)
 {
-    const int32_t last = pel_min(k->pixels.x1 - 1, columns.x1);
+    const int32_t first = k->pixels.x0, last = k->pixels.x1 - 1;
     uint8_t coverage[PIXELS];
     struct pel_smooth_row row = {y, columns.x0, 0, 0, 0, coverage};
-    for (int32_t x = row.x; x < columns.x1; row.x = x) {
+    int32_t x = row.x, area = coverage_at(k, x, y);
+    for (; x < columns.x1; row.x = x) {
+        int32_t n = 0;
         row.left = row.full = 0;
-        for (; x < columns.x1 && row.left < PIXELS; x++) {
-            coverage[row.left] = (uint8_t)coverage_at(k, x, y);
-            if (coverage[row.left] == 255) {
-                row.full = pel_max(last - x, 1);
-                x += row.full;
-                break;
+        for (; x < columns.x1 && n < PIXELS; x++) {
+            if (x <= first + 1 || x >= last)
+                area = coverage_at(k, x, y);
+            if (area == 255 && row.full == 0) {
+                row.left = n;
+                row.full = pel_max(pel_min(last, columns.x1) - x, 1);
+                x += row.full - 1;
+            } else {
+                coverage[n++] = (uint8_t)area;
             }
-            row.left++;
         }
+        if (row.full == 0)
+            row.left = n;
+        row.right = n - row.left;
         pel_smooth_paint(&k->smooth, &row);
     }
 }
