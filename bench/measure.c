@@ -11,7 +11,8 @@
 struct contender {
     const struct method *method;
     void *job;
-    int passes, warm_up; /* passes of a sample; shapes drawn before it */
+    int passes, warm_up; /* of a sample, and before it; 0: a part of one, */
+    int shapes;          /* of so many shapes */
     double ns[REPEATS_MAX];
 };
 
@@ -26,14 +27,16 @@ static double time_passes(const struct contender *c, int count, int passes)
 static void calibrate(struct contender *c, int count)
 {
     double ns = time_passes(c, count, 1);
-    double part = WARM_UP / (ns + 1);
+    const double part = WARM_UP / (ns + 1);
     c->passes = 1 + (int)(SAMPLE / (ns + 1));
-    c->warm_up = part < 1 ? (int)(count * part) + 1 : count;
+    c->warm_up = (int)part;
+    c->shapes = (int)(count * (part - c->warm_up)) + 1;
 }
 
 static void sample(struct contender *c, int count, int repeat)
 {
-    c->method->draw(c->job, 0, c->warm_up);
+    (void)time_passes(c, count, c->warm_up);
+    c->method->draw(c->job, 0, c->shapes);
     c->ns[repeat] = time_passes(c, count, c->passes) / c->passes / count;
 }
 

@@ -109,9 +109,24 @@ static inline int pel_trailing_zeros(uint32_t v)
 #define PEL_UNROLL
 #endif
 
-/* A loop that is a function of its own where registers are few (Thumb-1) or
- * Thumb code is to be small, and is inlined elsewhere. */
-#if defined(__thumb__) && (!defined(__thumb2__) || PEL_SMALL_CODE)
+/* gcc -O2 joins ints that lie side by side in a vector: to load it takes longer
+ * where they were stored one by one just before. This one stays apart. */
+#if PEL_64BIT && defined(__GNUC__) && !defined(__clang__)
+#define PEL_APART(value) __asm__("" : "+r"(value))
+#else
+#define PEL_APART(value) PEL_CAST(void, value)
+#endif
+
+/* Thumb-1, as on an M0+: eight registers, and some more to move numbers to. */
+#if defined(__thumb__) && !defined(__thumb2__)
+#define PEL_FEW_REGISTERS 1
+#else
+#define PEL_FEW_REGISTERS 0
+#endif
+
+/* A loop that is a function of its own where registers are few or Thumb code is
+ * to be small, and is inlined elsewhere. */
+#if PEL_FEW_REGISTERS || (defined(__thumb__) && PEL_SMALL_CODE)
 #define PEL_INLINE_LOOP PEL_NOINLINE
 #else
 #define PEL_INLINE_LOOP PEL_ALWAYS_INLINE

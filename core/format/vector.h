@@ -104,6 +104,7 @@ static inline pel_u8x16 pel_zip_high_u8x16(pel_u8x16 a, pel_u8x16 b)
  * 256) in every lane, which pel_round_div255 does after adding 128.
  * pel_narrow_u16x8: eight lanes, all below 65,536, in 16 bits each.
  * pel_join_u8x16: sixteen lanes, all below 256, in 8 bits each.
+ * pel_clamp_u8: four signed lanes, clamped to 0..255, as the bytes of a word.
  * pel_cover_of: what the alphas of eight colors are. */
 enum pel_cover { PEL_CLEAR, PEL_MIXED, PEL_OPAQUE };
 
@@ -133,6 +134,13 @@ static inline pel_u8x16 pel_join_u8x16(pel_u16x8 low, pel_u16x8 high)
 {
     return (pel_u8x16)__builtin_ia32_packuswb128((pel_s16x8)low,
                                                  (pel_s16x8)high);
+}
+
+static inline uint32_t pel_clamp_u8(pel_u32x4 v)
+{
+    const pel_s16x8 halves =
+        __builtin_ia32_packssdw128((pel_s32x4)v, (pel_s32x4)v);
+    return ((pel_u32x4)__builtin_ia32_packuswb128(halves, halves))[0];
 }
 
 static PEL_ALWAYS_INLINE enum pel_cover pel_cover_of(pel_u32x4 a, pel_u32x4 b)
@@ -170,6 +178,15 @@ static inline pel_u8x16 pel_join_u8x16(pel_u16x8 low, pel_u16x8 high)
 {
     return PEL_SHUFFLE(pel_u8x16, (pel_u8x16)low, (pel_u8x16)high, 0, 2, 4, 6,
                        8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+}
+
+static inline uint32_t pel_clamp_u8(pel_u32x4 v)
+{
+    const pel_u32x4 below = (pel_u32x4)((pel_s32x4)v >> 31);
+    const pel_u32x4 above = (pel_u32x4)((pel_s32x4)(255 - v) >> 31);
+    const pel_u8x16 c = (pel_u8x16)((v | above) & ~below);
+    return ((pel_u32x4)PEL_SHUFFLE(pel_u8x16, c, c, 0, 4, 8, 12, 0, 4, 8, 12, 0,
+                                   4, 8, 12, 0, 4, 8, 12))[0];
 }
 
 static PEL_ALWAYS_INLINE enum pel_cover pel_cover_of(pel_u32x4 a, pel_u32x4 b)

@@ -1,5 +1,7 @@
 #include "paint_fan.h"
 
+#include "../format/vector.h"
+
 /* Positive when b lies clockwise of a; below 2^51. */
 static PEL_NOINLINE_32 int64_t cross(const struct pel_point *a,
                                      const struct pel_point *b)
@@ -13,6 +15,52 @@ struct part {
     int32_t x, y, n;
     pel_color start; /* before its channels: the alpha of opaque fans */
 };
+
+/* pel_plane_at, before add_channel and not in it, to spare stack. */
+static PEL_NOINLINE_32 void set_channel(struct part *r,
+                                        const struct pel_plane *channel)
+{
+    r->at = channel->at + pel_times(channel->dx, r->x) +
+            pel_times(channel->dy, r->y);
+}
+
+#if PEL_VECTORS
+
+/* Four channels, two a vector, and what they grow by. */
+struct lanes {
+    pel_u64x2 at[2], step[2];
+};
+
+static inline void set_lanes(struct lanes *lanes, struct part *r,
+                             const struct pel_fan_triangle *t)
+{
+    for (int k = 0; k < 4; k++) {
+        set_channel(r, &t->channel[k]);
+        lanes->at[k / 2][k & 1] = r->at;
+        lanes->step[k / 2][k & 1] = t->channel[k].dx;
+    }
+}
+
+static inline uint32_t next_color(struct lanes *lanes)
+{
+    const pel_u32x4 low = (pel_u32x4)lanes->at[0];
+    const pel_u32x4 high = (pel_u32x4)lanes->at[1];
+    lanes->at[0] += lanes->step[0];
+    lanes->at[1] += lanes->step[1];
+    return pel_clamp_u8(PEL_LANES(low, high, 1, 3, 5, 7));
+}
+
+/* The colors of a part inside one triangle. */
+static void triangle_colors(struct part *r, const struct pel_fan_triangle *t,
+                            pel_color *out)
+{
+    struct lanes lanes;
+    set_lanes(&lanes, r, t);
+    for (pel_color *const end = out + r->n; out < end; out++)
+        *out = r->start | next_color(&lanes);
+}
+
+#else
 
 /* Adds channel k to the colors of a part inside one triangle; channel 0 comes
  * first and overwrites them. */
@@ -32,14 +80,6 @@ static PEL_NOINLINE_32 void add_channel(const struct part *r,
     }
 }
 
-/* pel_plane_at, before add_channel and not in it, to spare stack. */
-static PEL_NOINLINE_32 void set_channel(struct part *r,
-                                        const struct pel_plane *channel)
-{
-    r->at = channel->at + pel_times(channel->dx, r->x) +
-            pel_times(channel->dy, r->y);
-}
-
 static void triangle_colors(struct part *r, const struct pel_fan_triangle *t,
                             pel_color *out)
 {
@@ -48,6 +88,8 @@ static void triangle_colors(struct part *r, const struct pel_fan_triangle *t,
         add_channel(r, t, k, out);
     }
 }
+
+#endif
 
 /* For how many of n pixels, the first at d from the hub, the cross product with
  * a ray is at least `least`: one pixel to the right it changes by -256 times
@@ -60,6 +102,11 @@ static PEL_NOINLINE_32 int32_t pixels_beside(const struct pel_point *ray,
         pel_product(ray->x, d->y) - pel_product(ray->y, d->x) - least;
     const int64_t step = (int64_t)ray->y * 256;
     int32_t count = 0;
+    if ((PEL_64BIT || !PEL_SMALL_CODE) && side >= 0 &&
+        side >= pel_product(ray->y, 256 * (n - 1)))
+        return n;
+    if (PEL_64BIT && side >= 0 && n > 0)
+        return (int32_t)(side / step) + 1;
     for (; count < n && side >= 0; count++)
         side -= step;
     return count;

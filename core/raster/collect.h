@@ -52,6 +52,7 @@ static inline void pel_collect(struct pel_collector *c, int32_t y, int32_t x0,
         pel_collect_end(c);
     if (c->spans.n == 0)
         c->spans.y = y;
+    PEL_APART(x0);
     c->span[c->spans.n++] = (struct pel_span){x0, x1};
 }
 

@@ -142,12 +142,13 @@ static PEL_SHARED void pel_edge_start(struct pel_edge *e,
 
 static inline void pel_edge_next(struct pel_edge *e)
 {
-    e->x += e->q;
-    e->m += e->r;
-    if (e->m >= 0) {
-        e->m -= e->dy;
-        e->x++;
+    int32_t x = e->x + e->q, m = e->m + e->r;
+    if (m >= 0) {
+        m -= e->dy;
+        x++;
     }
+    e->x = x;
+    e->m = m;
 }
 
 #endif
