@@ -97,20 +97,12 @@ static inline pel_color dithered_color(pel_color color,
     return (color & OPAQUE) | (gray ? out * 0x010101u : out);
 }
 
-static inline bool shows_565(const struct pel_surface *target)
-{
-    const uint8_t *const depth = pel_smooth_depth(target);
-    return depth[0] == 5 && depth[1] == 6 && depth[2] == 5;
-}
-
 /* Dithers the first n colors of `out`, in place. */
 static PEL_NOINLINE_32 void dither_out(struct proxy *proxy, int32_t x,
                                        int32_t y, int32_t n)
 {
-    const bool quick = !PEL_SMOOTH_TINY && shows_565(proxy->target);
     for (pel_color *out = proxy->out; out < proxy->out + n; out++, x++)
-        *out = quick ? pel_dithered565(*out, &thresholds565[y & 7][x & 7])
-                     : dithered_color(*out, proxy->target, x, y);
+        *out = dithered_color(*out, proxy->target, x, y);
 }
 
 /* Takes n colors, or as many as `out` holds: how many. `next` is from each to

@@ -45,18 +45,6 @@ static PEL_ALWAYS_INLINE void pel_store565(pel_word16 *p,
     *p = (pel_word16)(swapped ? pel_swap16(pixel) : pixel);
 }
 
-/* A color of dithered levels that are widened, before coverage. */
-static PEL_ALWAYS_INLINE pel_color
-pel_dithered565(pel_color color, const struct pel_steps565 *threshold)
-{
-    const struct pel_steps565 s = pel_steps565_of(color);
-    const uint32_t rb =
-        (s.red_blue + threshold->red_blue) >> 8 & UINT32_C(0x1F001F);
-    const uint32_t g = (s.green + threshold->green) >> 8;
-    return (color & UINT32_C(0xFF000000)) | rb << 3 | (rb >> 2 & 0x70007) |
-           (g << 2 | g >> 4) << 8;
-}
-
 /* n words, each like the one eight before; in pairs once the address allows it.
  */
 static PEL_NOINLINE_32 PEL_UNUSED void pel_pattern16(pel_word16 *p, int32_t n)

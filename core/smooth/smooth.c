@@ -1,3 +1,4 @@
+#include "smooth_dither.h"
 #include "smooth_layer.h"
 
 #include "../format/word.h"
@@ -63,7 +64,9 @@ static bool put_walk(const struct pel_surface *surface, int32_t x, int32_t y,
     return true;
 }
 
-static const struct pel_channels channels = {.walk = put_walk};
+static const struct pel_channels channels = {.fill = pel_smooth_dither_fill,
+                                             .put = pel_smooth_dither_put,
+                                             .walk = put_walk};
 
 const struct pel_format pel_smooth_colors = {
     .id = PEL_SMOOTH_FORMAT,
