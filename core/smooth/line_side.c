@@ -2,8 +2,8 @@
 
 #include "smooth_edge.h"
 
-bool pel_smooth_cut(struct pel_smooth_strip *s, const struct pel_smooth_bow *b,
-                    int32_t k, bool upright)
+bool pel_smooth_cut(struct pel_smooth_strip *s,
+                    const struct pel_smooth_curve *b, int32_t k, bool upright)
 {
     for (int32_t i = 0; i < 2; i++) {
         const struct pel_smooth_place *const p = i ? &b->to : &b->from;
@@ -110,24 +110,25 @@ static void set_line(struct pel_smooth_line *l, struct pel_point d)
 }
 
 void pel_smooth_lines_begin(struct pel_smooth_lines *lines,
-                            struct pel_smooth_bow *bow,
+                            struct pel_smooth_curve *curve,
                             struct pel_smooth_line *line, bool wide)
 {
     struct pel_smooth_outline *const o = &lines->outline;
     lines->line = line;
     lines->wide = wide;
-    o->bow = bow;
-    o->bows = 2;
+    o->curve = curve;
+    o->curves = 2;
     o->cut = pel_smooth_cut;
     o->count = 0;
     o->others = pel_smooth_others;
     o->other = find_line;
-    o->twins = false;
+    o->mirrored = false;
     o->spread.x = o->spread.y = 0;
 }
 
 static PEL_NOINLINE_32 void set_place(struct pel_smooth_far_place *far,
-                                      const struct pel_smooth_bow *b, bool last)
+                                      const struct pel_smooth_curve *b,
+                                      bool last)
 {
     const struct pel_smooth_place *const p =
         last == b->hole ? &b->from : &b->to;
@@ -138,8 +139,9 @@ static PEL_NOINLINE_32 void set_place(struct pel_smooth_far_place *far,
 void pel_smooth_joint(const struct pel_smooth_outline *o, int32_t k,
                       bool flipped, struct pel_smooth_far_place place[2])
 {
-    set_place(&place[flipped], &o->bow[k], true);
-    set_place(&place[!flipped], &o->bow[k + 1 == o->bows ? 0 : k + 1], false);
+    set_place(&place[flipped], &o->curve[k], true);
+    set_place(&place[!flipped], &o->curve[k + 1 == o->curves ? 0 : k + 1],
+              false);
 }
 
 void pel_smooth_lines_add(struct pel_smooth_lines *lines, struct pel_point d,

@@ -9,7 +9,7 @@ struct pel_smooth_far_place {
     int64_t x, y;
 };
 
-/* Where bow k of an outline ends, and where the next one begins; or, flipped,
+/* Where curve k of an outline ends, and where the next one begins; or, flipped,
  * the other way around. */
 void pel_smooth_joint(const struct pel_smooth_outline *outline, int32_t k,
                       bool flipped, struct pel_smooth_far_place place[2]);
@@ -23,9 +23,10 @@ struct pel_smooth_line {
     bool rising; /* the outline goes up */
 };
 
-/* Cuts quarters of bows (`cut` of an outline). */
+/* Cuts quarters of curves (`cut` of an outline). */
 bool pel_smooth_cut(struct pel_smooth_strip *strip,
-                    const struct pel_smooth_bow *bow, int32_t k, bool upright);
+                    const struct pel_smooth_curve *curve, int32_t k,
+                    bool upright);
 
 /* An outline with two of them. */
 struct pel_smooth_lines {
@@ -34,12 +35,13 @@ struct pel_smooth_lines {
     bool wide; /* a row may hold more than the range of a strip */
 };
 
-/* Two bows, and no line; with all else that lines need of the outline. */
+/* Two curves, and no line; with all else that lines need of the outline. */
 void pel_smooth_lines_begin(struct pel_smooth_lines *lines,
-                            struct pel_smooth_bow *bow,
+                            struct pel_smooth_curve *curve,
                             struct pel_smooth_line *line, bool wide);
 
-/* Adds a line in a direction, from bow k to the next one; none if it is level.
+/* Adds a line in a direction, from curve k to the next one; none if it is
+ * level.
  */
 void pel_smooth_lines_add(struct pel_smooth_lines *lines,
                           struct pel_point direction, int32_t k);

@@ -3,7 +3,7 @@
 /* Columns whose areas are summed at a time. */
 enum { COLUMNS = PEL_SMOOTH_TINY ? 8 : 16 };
 
-void pel_smooth_bow_set(struct pel_smooth_bow *b, int32_t radius)
+void pel_smooth_curve_set(struct pel_smooth_curve *b, int32_t radius)
 {
     pel_smooth_circle_set(&b->circle, radius);
     b->row = INT32_MAX;
@@ -18,8 +18,8 @@ bool pel_smooth_outline_begin(struct pel_smooth_outline *o,
     o->seen = pel_rect_intersect(box, clip);
     if (!PEL_SMOOTH_TINY) {
         o->inside = box->x0 >= clip->x0 && box->x1 <= clip->x1;
-        o->twins &= box->y0 >= clip->y0 && box->y1 <= clip->y1;
-        o->image_y = box->y0 + box->y1 - 1;
+        o->mirrored &= box->y0 >= clip->y0 && box->y1 <= clip->y1;
+        o->mirror_y = box->y0 + box->y1 - 1;
         o->alike = INT32_MIN;
     }
     return !pel_rect_empty(&o->seen) &&
@@ -28,8 +28,8 @@ bool pel_smooth_outline_begin(struct pel_smooth_outline *o,
 
 /* Where the circle is at the top of a row; between the corners of a rectangle
  * as far away as it can be. */
-static int32_t bow_at(const struct pel_smooth_outline *o,
-                      const struct pel_smooth_bow *b, int32_t y)
+static int32_t curve_at(const struct pel_smooth_outline *o,
+                        const struct pel_smooth_curve *b, int32_t y)
 {
     const int32_t above = b->center.y - y * 256;
     const int32_t distance = pel_max(above, -above - o->spread.y);
@@ -37,13 +37,13 @@ static int32_t bow_at(const struct pel_smooth_outline *o,
                         : b->circle.reach;
 }
 
-static void go_to(const struct pel_smooth_outline *o, struct pel_smooth_bow *b,
-                  int32_t y)
+static void go_to(const struct pel_smooth_outline *o,
+                  struct pel_smooth_curve *b, int32_t y)
 {
     if (b->row == y)
         return;
-    b->at[0] = b->row == y - 1 ? b->at[1] : bow_at(o, b, y);
-    b->at[1] = bow_at(o, b, y + 1);
+    b->at[0] = b->row == y - 1 ? b->at[1] : curve_at(o, b, y);
+    b->at[1] = curve_at(o, b, y + 1);
     b->row = y;
 }
 
@@ -51,7 +51,7 @@ static void go_to(const struct pel_smooth_outline *o, struct pel_smooth_bow *b,
  * upper centres: false where it has nothing. Places a unit outside of the
  * circle do not matter. */
 static inline bool find_quarter(const struct pel_smooth_outline *o,
-                                const struct pel_smooth_bow *b, int32_t down,
+                                const struct pel_smooth_curve *b, int32_t down,
                                 int32_t k, struct pel_smooth_crossing *c)
 {
     struct pel_smooth_strip *const s = &c->strip;
@@ -74,9 +74,9 @@ static inline bool find_quarter(const struct pel_smooth_outline *o,
     return !o->cut || o->cut(s, b, k, quadrant & 1);
 }
 
-static inline void visit_bow(const struct pel_smooth_outline *o,
-                             const struct pel_smooth_bow *b, int32_t down,
-                             struct pel_smooth_visitor *visitor)
+static inline void visit_curve(const struct pel_smooth_outline *o,
+                               const struct pel_smooth_curve *b, int32_t down,
+                               struct pel_smooth_visitor *visitor)
 {
     struct pel_smooth_crossing c;
     for (int32_t k = 0; k < b->count; k++)
@@ -107,16 +107,16 @@ void pel_smooth_others(struct pel_smooth_outline *o, int32_t y,
     }
 }
 
-void pel_smooth_visit_bows(struct pel_smooth_outline *o, int32_t y,
-                           struct pel_smooth_visitor *visitor)
+void pel_smooth_visit_curves(struct pel_smooth_outline *o, int32_t y,
+                             struct pel_smooth_visitor *visitor)
 {
-    for (struct pel_smooth_bow *b = o->bow; b < o->bow + o->bows; b++) {
+    for (struct pel_smooth_curve *b = o->curve; b < o->curve + o->curves; b++) {
         const int32_t down = y * 256 - b->center.y;
         if (down <= -b->circle.radius - 256 ||
             down >= b->circle.radius + o->spread.y)
             continue;
         go_to(o, b, y);
-        visit_bow(o, b, down, visitor);
+        visit_curve(o, b, down, visitor);
     }
 }
 
@@ -290,15 +290,15 @@ static void paint_row(struct pel_smooth_outline *o, int32_t y)
 
 void pel_smooth_outline_paint(struct pel_smooth_outline *o)
 {
-    const bool twins = !PEL_SMOOTH_TINY && o->twins;
-    const int32_t end = twins ? (o->image_y >> 1) + 1 : o->seen.y1;
+    const bool mirrored = !PEL_SMOOTH_TINY && o->mirrored;
+    const int32_t end = mirrored ? (o->mirror_y >> 1) + 1 : o->seen.y1;
     for (int32_t y = o->seen.y0, n; y < end; y += n) {
         n = PEL_SMOOTH_TINY ? 0 : pel_smooth_whole_rows(o, y, end);
         if (n > 0)
             continue;
         paint_row(o, y);
-        if (twins && o->image_y > 2 * y)
-            paint_row(o, o->image_y - y);
+        if (mirrored && o->mirror_y > 2 * y)
+            paint_row(o, o->mirror_y - y);
         n = 1;
     }
 }

@@ -14,7 +14,7 @@ struct pel_smooth_place {
 
 /* Part of a circle, clockwise from one place to another through some quadrants,
  * of which 0 begins at +x. */
-struct pel_smooth_bow {
+struct pel_smooth_curve {
     struct pel_point center;
     struct pel_smooth_place from, to;
     uint8_t first, count; /* quadrants */
@@ -39,17 +39,17 @@ struct pel_smooth_outline {
     struct pel_smooth smooth; /* first */
     struct pel_rect seen;     /* px */
     struct pel_point spread;  /* of a rounded rectangle's corners, 1/256 px */
-    struct pel_smooth_bow *bow;
-    uint8_t bows, count; /* of sides of other kinds */
-    bool inside;         /* no column is clipped away */
-    bool twins;          /* rows are painted with their images, .. */
-    int32_t image_y;     /* .. to which their y adds up */
+    struct pel_smooth_curve *curve;
+    uint8_t curves, count; /* of sides of other kinds */
+    bool inside;           /* no column is clipped away */
+    bool mirrored;         /* rows are painted with their mirror images, .. */
+    int32_t mirror_y;      /* .. to which their y adds up */
     int32_t alike; /* up to this row no side begins or ends (whole_rows.c) */
-    /* Cuts a strip of the kth quarter of a bow, which begins at the upright
-     * axis or at the level one, at the bow's ends; false: none is left. NULL:
-     * bows are circles, without ends. */
+    /* Cuts a strip of the kth quarter of a curve, which begins at the upright
+     * axis or at the level one, at the curve's ends; false: none is left. NULL:
+     * curves are circles, without ends. */
     bool (*cut)(struct pel_smooth_strip *strip,
-                const struct pel_smooth_bow *bow, int32_t k, bool upright);
+                const struct pel_smooth_curve *curve, int32_t k, bool upright);
     /* pel_smooth_others, or NULL where there are none. */
     void (*others)(struct pel_smooth_outline *outline, int32_t y,
                    struct pel_smooth_visitor *visitor);
@@ -58,15 +58,15 @@ struct pel_smooth_outline {
                   struct pel_smooth_crossing *crossing);
 };
 
-/* After it has got `spread` to `others`, and `twins`. False: nothing in the box
- * of pixels can be seen. */
+/* After it has got `spread` to `others`, and `mirrored`. False: nothing in the
+ * box of pixels can be seen. */
 bool pel_smooth_outline_begin(struct pel_smooth_outline *outline,
                               const struct pel_surface *surface,
                               const struct pel_rect *box,
                               const struct pel_paint *paint);
 
 /* Sets what follows `hole`. */
-void pel_smooth_bow_set(struct pel_smooth_bow *bow, int32_t radius);
+void pel_smooth_curve_set(struct pel_smooth_curve *curve, int32_t radius);
 
 /* Paints what is to be seen. */
 void pel_smooth_outline_paint(struct pel_smooth_outline *outline);
@@ -82,8 +82,8 @@ struct pel_smooth_visitor {
                   struct pel_smooth_crossing *crossing);
 };
 
-void pel_smooth_visit_bows(struct pel_smooth_outline *outline, int32_t y,
-                           struct pel_smooth_visitor *visitor);
+void pel_smooth_visit_curves(struct pel_smooth_outline *outline, int32_t y,
+                             struct pel_smooth_visitor *visitor);
 void pel_smooth_others(struct pel_smooth_outline *outline, int32_t y,
                        struct pel_smooth_visitor *visitor);
 
@@ -92,7 +92,7 @@ static inline void pel_smooth_visit(struct pel_smooth_outline *outline,
                                     int32_t y,
                                     struct pel_smooth_visitor *visitor)
 {
-    pel_smooth_visit_bows(outline, y, visitor);
+    pel_smooth_visit_curves(outline, y, visitor);
     if (outline->others)
         outline->others(outline, y, visitor);
 }
@@ -114,7 +114,7 @@ static inline struct pel_span pel_smooth_crossing_columns(
 }
 
 /* Paints some rows from y on, above `end`, in which 2 or 4 sides cross whole
- * rows apart from each other, and their images: how many. */
+ * rows apart from each other, and their mirror images: how many. */
 int32_t pel_smooth_whole_rows(struct pel_smooth_outline *outline, int32_t y,
                               int32_t end);
 

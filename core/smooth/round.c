@@ -1,27 +1,27 @@
 #include "round.h"
 
-static void set_circle(struct pel_smooth_bow *b, struct pel_point center,
+static void set_circle(struct pel_smooth_curve *b, struct pel_point center,
                        int32_t radius, bool hole)
 {
     b->center = center;
     b->first = 0;
     b->count = 4;
     b->hole = hole;
-    pel_smooth_bow_set(b, radius);
+    pel_smooth_curve_set(b, radius);
 }
 
 void pel_smooth_round_set(struct pel_smooth_outline *o,
-                          struct pel_smooth_bow *bow, struct pel_point center,
-                          int32_t inner, int32_t outer)
+                          struct pel_smooth_curve *curve,
+                          struct pel_point center, int32_t inner, int32_t outer)
 {
     o->spread.x = o->spread.y = 0;
-    o->bow = bow;
-    o->bows = inner > 0 ? 2 : 1;
+    o->curve = curve;
+    o->curves = inner > 0 ? 2 : 1;
     o->cut = NULL;
     o->others = NULL;
-    set_circle(bow, center, outer, false);
+    set_circle(curve, center, outer, false);
     if (inner > 0)
-        set_circle(bow + 1, center, inner, true);
+        set_circle(curve + 1, center, inner, true);
 }
 
 /* With the column on the left that a shape just touches: as image of one on the
@@ -30,13 +30,13 @@ bool pel_smooth_round_begin(const struct pel_surface *surface,
                             struct pel_smooth_outline *o,
                             const struct pel_paint *paint)
 {
-    const struct pel_smooth_circle *const circle = &o->bow->circle;
-    const struct pel_point c = o->bow->center,
+    const struct pel_smooth_circle *const circle = &o->curve->circle;
+    const struct pel_point c = o->curve->center,
                            far = {c.x + o->spread.x, c.y + o->spread.y};
     const int32_t width = circle->reach >> 8, height = circle->radius;
     const struct pel_rect box = {
         pel_pixel_of(c.x - width - 1), pel_pixel_of(c.y - height),
         pel_pixel_of(far.x + width) + 1, pel_pixel_of(far.y + height + 255)};
-    o->twins = ((c.y + far.y) & 255) == 0;
+    o->mirrored = ((c.y + far.y) & 255) == 0;
     return pel_smooth_outline_begin(o, surface, &box, paint);
 }

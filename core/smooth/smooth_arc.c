@@ -20,11 +20,11 @@ static PEL_NOINLINE struct pel_smooth_place place_at(uint16_t angle,
         (int32_t)(y - (pel_long_product((int32_t)y, e) >> 31))};
 }
 
-/* The bow of a circle between two angles. Once through a quadrant, or back to
+/* The curve of a circle between two angles. Once through a quadrant, or back to
  * it. */
-static PEL_NOINLINE void set_bow(struct pel_smooth_bow *b,
-                                 struct pel_point center, struct pel_angles a,
-                                 int32_t radius)
+static PEL_NOINLINE void set_curve(struct pel_smooth_curve *b,
+                                   struct pel_point center, struct pel_angles a,
+                                   int32_t radius)
 {
     const int32_t steps = ((a.to >> 14) - (a.from >> 14)) & 3;
     const bool back = (uint16_t)(a.to - a.from) > 16384;
@@ -34,24 +34,25 @@ static PEL_NOINLINE void set_bow(struct pel_smooth_bow *b,
     b->first = (uint8_t)(a.from >> 14);
     b->count = (uint8_t)(steps == 0 && back ? 5 : steps + 1);
     b->hole = false;
-    pel_smooth_bow_set(b, radius);
+    pel_smooth_curve_set(b, radius);
 }
 
 /* The outline: both circles, with an end behind the first one and the second.
  */
-struct tour {
+struct arc_outline {
     struct pel_smooth_lines lines; /* first */
     union {
-        struct pel_smooth_bow bow[4];
+        struct pel_smooth_curve curve[4];
         struct {
-            struct pel_smooth_bow bow[2];
+            struct pel_smooth_curve curve[2];
             struct pel_smooth_line line[2];
         } cut;
     } of;
 };
 
-static void set_half(struct pel_smooth_bow *b, const struct pel_arc_shape *arc,
-                     uint16_t angle, uint16_t turn)
+static void set_half(struct pel_smooth_curve *b,
+                     const struct pel_arc_shape *arc, uint16_t angle,
+                     uint16_t turn)
 {
     const struct pel_smooth_place m =
         place_at(angle, (arc->inner + arc->outer) >> 1);
@@ -59,16 +60,17 @@ static void set_half(struct pel_smooth_bow *b, const struct pel_arc_shape *arc,
                                  arc->center.y + ((m.y + 128) >> 8)};
     const struct pel_angles angles = {(uint16_t)(angle + turn),
                                       (uint16_t)(angle + turn + 32768)};
-    set_bow(b, at, angles, (arc->outer - arc->inner) >> 1);
+    set_curve(b, at, angles, (arc->outer - arc->inner) >> 1);
 }
 
-/* What rounding leaves open between bow k and the next one, of which those of 1
- * and 3 say where: less than 4 sub-pixels above or below those. */
+/* What rounding leaves open between curve k and the next one, of which those of
+ * 1 and 3 say where: less than 4 sub-pixels above or below those. */
 static bool find_joint(struct pel_smooth_outline *o, int32_t y, int32_t k,
                        struct pel_smooth_crossing *c)
 {
     struct pel_smooth_far_place end[2];
-    const struct pel_smooth_bow *const half = &o->bow[k & 1 ? k : (k + 1) & 3];
+    const struct pel_smooth_curve *const half =
+        &o->curve[k & 1 ? k : (k + 1) & 3];
     if (pel_magnitude(y * 256 + 128 - half->center.y) >
         half->circle.radius + 132)
         return false;
@@ -81,19 +83,19 @@ static bool find_joint(struct pel_smooth_outline *o, int32_t y, int32_t k,
     return pel_smooth_upright(c, y, end[c->rising].y, end[!c->rising].y);
 }
 
-static PEL_NOINLINE void set_tour(struct tour *t,
-                                  const struct pel_arc_shape *arc,
-                                  struct pel_angles angles, bool round)
+static PEL_NOINLINE void set_outline(struct arc_outline *t,
+                                     const struct pel_arc_shape *arc,
+                                     struct pel_angles angles, bool round)
 {
     struct pel_smooth_outline *const o = &t->lines.outline;
-    struct pel_smooth_bow *const outer = t->of.bow;
-    struct pel_smooth_bow *const inner = outer + (round ? 2 : 1);
+    struct pel_smooth_curve *const outer = t->of.curve;
+    struct pel_smooth_curve *const inner = outer + (round ? 2 : 1);
     pel_smooth_lines_begin(&t->lines, outer, t->of.cut.line, false);
-    set_bow(outer, arc->center, angles, arc->outer);
-    set_bow(inner, arc->center, angles, arc->inner);
+    set_curve(outer, arc->center, angles, arc->outer);
+    set_curve(inner, arc->center, angles, arc->inner);
     inner->hole = true;
     if (round) {
-        o->bows = o->count = 4;
+        o->curves = o->count = 4;
         o->other = find_joint;
         set_half(outer + 1, arc, angles.to, 0);
         set_half(outer + 3, arc, angles.from, 32768);
@@ -111,8 +113,8 @@ static void widen(struct pel_rect *box, int32_t x, int32_t y)
     box->y1 = pel_max(box->y1, y);
 }
 
-/* Pixels around a bow: its ends, and the axes that it passes. */
-static void add_box(struct pel_rect *box, const struct pel_smooth_bow *b)
+/* Pixels around a curve: its ends, and the axes that it passes. */
+static void add_box(struct pel_rect *box, const struct pel_smooth_curve *b)
 {
     const struct pel_point c = b->center;
     const int32_t r = b->circle.radius;
@@ -127,16 +129,16 @@ static void add_box(struct pel_rect *box, const struct pel_smooth_bow *b)
 static struct pel_rect box_of(const struct pel_smooth_outline *o)
 {
     struct pel_rect box = {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
-    for (int i = 0; i < o->bows; i++)
-        add_box(&box, &o->bow[i]);
+    for (int i = 0; i < o->curves; i++)
+        add_box(&box, &o->curve[i]);
     return (struct pel_rect){pel_pixel_of(box.x0 - 1), pel_pixel_of(box.y0 - 1),
                              pel_pixel_of(box.x1 + 1) + 1,
                              pel_pixel_of(box.y1 + 1) + 1};
 }
 
-static PEL_NOINLINE bool begin_tour(const struct pel_surface *surface,
-                                    struct pel_smooth_outline *o,
-                                    const struct pel_paint *paint)
+static PEL_NOINLINE bool begin_box(const struct pel_surface *surface,
+                                   struct pel_smooth_outline *o,
+                                   const struct pel_paint *paint)
 {
     const struct pel_rect box = box_of(o);
     return pel_smooth_outline_begin(o, surface, &box, paint);
@@ -150,7 +152,7 @@ static bool is_legal(const struct pel_arc_shape *arc)
 
 /* False: nothing is to be seen. */
 static PEL_NOINLINE_32 bool begin(const struct pel_surface *surface,
-                                  struct tour *t,
+                                  struct arc_outline *t,
                                   const struct pel_arc_shape *arc, bool round,
                                   const struct pel_paint *paint)
 {
@@ -163,18 +165,19 @@ static PEL_NOINLINE_32 bool begin(const struct pel_surface *surface,
         !pel_angles_set(&angles, arc->from, arc->to))
         return false;
     if (angles.from == angles.to) {
-        pel_smooth_round_set(o, t->of.bow, arc->center, arc->inner, arc->outer);
+        pel_smooth_round_set(o, t->of.curve, arc->center, arc->inner,
+                             arc->outer);
         return pel_smooth_round_begin(surface, o, paint);
     }
-    set_tour(t, arc, angles, round);
-    return begin_tour(surface, o, paint);
+    set_outline(t, arc, angles, round);
+    return begin_box(surface, o, paint);
 }
 
 void pel_smooth_arc(const struct pel_surface *surface,
                     const struct pel_arc_shape *arc,
                     const struct pel_paint *paint)
 {
-    struct tour t;
+    struct arc_outline t;
     if (begin(surface, &t, arc, false, paint))
         pel_smooth_outline_paint(&t.lines.outline);
 }
@@ -183,13 +186,13 @@ void pel_smooth_arc_round(const struct pel_surface *surface,
                           const struct pel_arc_shape *arc,
                           const struct pel_paint *paint)
 {
-    struct tour t;
+    struct arc_outline t;
     if (begin(surface, &t, arc, true, paint))
         pel_smooth_outline_paint(&t.lines.outline);
 }
 
 static PEL_NOINLINE_32 bool begin_sector(const struct pel_surface *surface,
-                                         struct tour *t,
+                                         struct arc_outline *t,
                                          const struct pel_sector_shape *sector,
                                          const struct pel_paint *paint)
 {
@@ -202,7 +205,7 @@ void pel_smooth_sector(const struct pel_surface *surface,
                        const struct pel_sector_shape *sector,
                        const struct pel_paint *paint)
 {
-    struct tour t;
+    struct arc_outline t;
     if (begin_sector(surface, &t, sector, paint))
         pel_smooth_outline_paint(&t.lines.outline);
 }

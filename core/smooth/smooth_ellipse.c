@@ -136,15 +136,15 @@ void pel_smooth_ellipse(const struct pel_surface *surface,
     const bool legal = is_legal(shape);
     struct ellipse e;
     struct pel_smooth_outline outline;
-    struct pel_smooth_bow bow;
+    struct pel_smooth_curve curve;
     PEL_ASSERT(legal);
     PEL_HINT(pel_in_subpixels(&shape->center, 1, r.x | r.y));
     if (!legal || r.x == 0 || r.y == 0)
         return;
     set_ellipse(&e, r.x, r.y);
-    pel_smooth_round_set(&outline, &bow, c, 0, r.y);
-    bow.circle.oval = &e.oval;
-    bow.circle.reach = r.x * 256;
+    pel_smooth_round_set(&outline, &curve, c, 0, r.y);
+    curve.circle.oval = &e.oval;
+    curve.circle.reach = r.x * 256;
     if (pel_smooth_round_begin(surface, &outline, paint))
         pel_smooth_outline_paint(&outline);
 }

@@ -10,12 +10,13 @@ void pel_smooth_ring(const struct pel_surface *surface,
                        pel_radius_legal(ring->inner) &&
                        pel_radius_legal(ring->outer);
     struct pel_smooth_outline outline;
-    struct pel_smooth_bow bow[2];
+    struct pel_smooth_curve curve[2];
     PEL_ASSERT(legal);
     PEL_HINT(pel_in_subpixels(&ring->center, 1, ring->outer));
     if (!legal || ring->outer <= ring->inner)
         return;
-    pel_smooth_round_set(&outline, bow, ring->center, ring->inner, ring->outer);
+    pel_smooth_round_set(&outline, curve, ring->center, ring->inner,
+                         ring->outer);
     if (pel_smooth_round_begin(surface, &outline, paint))
         pel_smooth_outline_paint(&outline);
 }

@@ -6,7 +6,7 @@
 static bool find_wall(struct pel_smooth_outline *o, int32_t y, int32_t i,
                       struct pel_smooth_crossing *c)
 {
-    const struct pel_smooth_bow *const b = o->bow;
+    const struct pel_smooth_curve *const b = o->curve;
     const int32_t from = pel_max(b->center.y, y * 256);
     const int32_t to = pel_min(b->center.y + o->spread.y, y * 256 + 256);
     c->left = c->rising = i == 0;
@@ -24,7 +24,7 @@ void pel_smooth_rounded_rectangle(const struct pel_surface *surface,
 {
     const struct pel_point from = rectangle->from, to = rectangle->to;
     struct pel_smooth_outline outline;
-    struct pel_smooth_bow bow;
+    struct pel_smooth_curve curve;
     const bool legal = pel_point_legal(from) && pel_point_legal(to) &&
                        pel_radius_legal(rectangle->radius);
     PEL_ASSERT(legal);
@@ -35,7 +35,7 @@ void pel_smooth_rounded_rectangle(const struct pel_surface *surface,
     const int32_t side = pel_min(to.x - from.x, to.y - from.y);
     const int32_t radius = pel_min(rectangle->radius, side / 2);
     const struct pel_point center = {from.x + radius, from.y + radius};
-    pel_smooth_round_set(&outline, &bow, center, 0, radius);
+    pel_smooth_round_set(&outline, &curve, center, 0, radius);
     outline.spread.x = to.x - from.x - 2 * radius;
     outline.spread.y = to.y - from.y - 2 * radius;
     outline.count = 2;

@@ -6,7 +6,7 @@
 
 struct capsule {
     struct pel_smooth_lines lines; /* first */
-    struct pel_smooth_bow bow[2];
+    struct pel_smooth_curve curve[2];
     struct pel_smooth_line line[2];
 };
 
@@ -34,7 +34,7 @@ static uint8_t quadrant_of(struct pel_smooth_place d)
 }
 
 /* The half of a circle from a place on clockwise. */
-static PEL_NOINLINE_32 void set_half(struct pel_smooth_bow *b,
+static PEL_NOINLINE_32 void set_half(struct pel_smooth_curve *b,
                                      struct pel_smooth_place from,
                                      int32_t radius)
 {
@@ -44,7 +44,7 @@ static PEL_NOINLINE_32 void set_half(struct pel_smooth_bow *b,
     b->first = quadrant_of(from);
     b->count = 3;
     b->hole = false;
-    pel_smooth_bow_set(b, radius);
+    pel_smooth_curve_set(b, radius);
 }
 
 /* From the upper end to the lower one, or from the left to the right; without
@@ -61,12 +61,12 @@ static PEL_NOINLINE void set_capsule(struct capsule *c,
     d.x += d.x == 0 && d.y == 0;
     const struct pel_smooth_place right = place_across(d, radius);
     const struct pel_smooth_place left = {-right.x, -right.y};
-    pel_smooth_lines_begin(&c->lines, c->bow, c->line,
+    pel_smooth_lines_begin(&c->lines, c->curve, c->line,
                            pel_magnitude(d.x) > PEL_PX(32767));
-    c->bow[0].center = a;
-    c->bow[1].center = b;
-    set_half(&c->bow[0], left, radius);
-    set_half(&c->bow[1], right, radius);
+    c->curve[0].center = a;
+    c->curve[1].center = b;
+    set_half(&c->curve[0], left, radius);
+    set_half(&c->curve[1], right, radius);
     pel_smooth_lines_add(&c->lines, d, 0);
     pel_smooth_lines_add(&c->lines, d, 1);
 }

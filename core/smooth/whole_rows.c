@@ -57,8 +57,8 @@ static void place(struct pel_smooth_visitor *sides,
 }
 
 /* Is side b the image of a, column by column? */
-static bool is_image(const struct pel_smooth_side *a,
-                     const struct pel_smooth_side *b)
+static bool is_mirror(const struct pel_smooth_side *a,
+                      const struct pel_smooth_side *b)
 {
     return a < b && a->strip == b->strip && a->left && !b->left &&
            ((a->center ^ b->center) & 255) == 0;
@@ -76,7 +76,7 @@ static bool find_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
         const struct pel_smooth_side *const other = &s->side[s->n - 1 - i];
         if (k->rising == (i & 1))
             return false;
-        k->image = is_image(other, k) ? other : NULL;
+        k->image = is_mirror(other, k) ? other : NULL;
     }
     return true;
 }
@@ -151,9 +151,10 @@ static void note(int32_t height, int32_t y, int32_t *end)
 }
 
 /* Sides that are none of circles begin and end less than 4 sub-pixels from the
- * ends of bows. */
-static void note_bow(const struct pel_smooth_outline *o,
-                     const struct pel_smooth_bow *b, int32_t y, int32_t *end)
+ * ends of curves. */
+static void note_curve(const struct pel_smooth_outline *o,
+                       const struct pel_smooth_curve *b, int32_t y,
+                       int32_t *end)
 {
     const int32_t top = b->center.y, bottom = top + o->spread.y;
     note(top - b->circle.radius, y, end);
@@ -170,8 +171,8 @@ static void note_bow(const struct pel_smooth_outline *o,
 static int32_t find_end(const struct pel_smooth_outline *o, int32_t y)
 {
     int32_t end = INT32_MAX;
-    for (int32_t i = 0; i < o->bows; i++)
-        note_bow(o, &o->bow[i], y, &end);
+    for (int32_t i = 0; i < o->curves; i++)
+        note_curve(o, &o->curve[i], y, &end);
     return end;
 }
 
@@ -262,10 +263,10 @@ static void paint(const struct pel_smooth_outline *o,
     if (!o->inside)
         pel_smooth_clip_batch(b, &o->smooth.target->clip);
     pel_smooth_paint_batch(&o->smooth, b);
-    if (!o->twins)
+    if (!o->mirrored)
         return;
-    b->n -= 2 * (b->y + b->n - 1) == o->image_y;
-    pel_smooth_paint_upwards(&o->smooth, b, o->image_y - b->y);
+    b->n -= 2 * (b->y + b->n - 1) == o->mirror_y;
+    pel_smooth_paint_upwards(&o->smooth, b, o->mirror_y - b->y);
 }
 
 int32_t pel_smooth_whole_rows(struct pel_smooth_outline *o, int32_t y,
