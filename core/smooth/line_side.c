@@ -23,6 +23,24 @@ bool pel_smooth_cut(struct pel_smooth_strip *s,
     return s->near < s->far;
 }
 
+static PEL_NOINLINE_32 void set_place(struct pel_smooth_far_place *far,
+                                      const struct pel_smooth_curve *b,
+                                      bool last)
+{
+    const struct pel_smooth_place *const p =
+        last == b->hole ? &b->from : &b->to;
+    far->x = (int64_t)b->center.x * 256 + p->x;
+    far->y = (int64_t)b->center.y * 256 + p->y;
+}
+
+void pel_smooth_joint(const struct pel_smooth_outline *o, int32_t k,
+                      bool flipped, struct pel_smooth_far_place place[2])
+{
+    set_place(&place[flipped], &o->curve[k], true);
+    set_place(&place[!flipped], &o->curve[k + 1 == o->curves ? 0 : k + 1],
+              false);
+}
+
 /* x at the top of a row that the line crosses. */
 static int64_t line_at(struct pel_smooth_line *l, int32_t y)
 {
@@ -56,8 +74,7 @@ static bool move_line(struct pel_smooth_line *l, int32_t y,
         l->row = y;
     }
     const int64_t at = l->at;
-    if (y != l->row || y * INT64_C(65536) < l->end[0].y ||
-        y >= (int32_t)((l->end[1].y - 1) >> 16))
+    if (y != l->row || y < l->first || y >= l->end)
         return false;
     l->at += l->step;
     l->row++;
@@ -73,16 +90,18 @@ static bool find_part(const struct pel_smooth_lines *lines, int32_t y,
                       int32_t i, struct pel_smooth_crossing *c)
 {
     struct pel_smooth_line *const l = &lines->line[lines->wide ? i >> 1 : i];
-    const struct pel_smooth_far_place *top = l->end, *bottom = l->end + 1;
-    const struct pel_smooth_far_place middle = {(top->x + bottom->x) >> 1,
-                                                (top->y + bottom->y) >> 1};
     const int64_t row = (int64_t)y * 65536;
-    if (lines->wide)
-        *(i & 1 ? &top : &bottom) = &middle;
-    if (!pel_smooth_upright(c, y, top->y, bottom->y))
+    struct pel_smooth_far_place end[2];
+    pel_smooth_joint(&lines->outline, l->curve, l->rising, end);
+    if (lines->wide) {
+        const int64_t x = end[0].x + end[1].x, middle = end[0].y + end[1].y;
+        end[~i & 1].x = x >> 1;
+        end[~i & 1].y = middle >> 1;
+    }
+    if (!pel_smooth_upright(c, y, end[0].y, end[1].y))
         return false;
-    set_crossing(c, l, top->y < row ? line_at(l, y) : top->x,
-                 bottom->y > row + 65536 ? line_at(l, y + 1) : bottom->x);
+    set_crossing(c, l, end[0].y < row ? line_at(l, y) : end[0].x,
+                 end[1].y > row + 65536 ? line_at(l, y + 1) : end[1].x);
     return true;
 }
 
@@ -95,7 +114,9 @@ static bool find_line(struct pel_smooth_outline *outline, int32_t y, int32_t i,
            find_part(lines, y, i, c);
 }
 
-static void set_line(struct pel_smooth_line *l, struct pel_point d)
+/* Of a direction, from one place down to the other. */
+static void set_line(struct pel_smooth_line *l, struct pel_point d,
+                     const struct pel_smooth_far_place end[2])
 {
     const struct pel_point zero = {0, 0};
     struct pel_rise rise;
@@ -103,10 +124,11 @@ static void set_line(struct pel_smooth_line *l, struct pel_point d)
     l->step = pel_smooth_slope(&zero, &down, &rise);
     const uint64_t size = (uint64_t)pel_size_of(l->step);
     l->slope = pel_smooth_slope_of(size);
-    l->row = (int32_t)((l->end[0].y + 65535) >> 16);
+    l->first = l->row = (int32_t)((end[0].y + 65535) >> 16);
+    l->end = (int32_t)((end[1].y - 1) >> 16);
     const int64_t way =
-        (int64_t)(pel_times(size, (int32_t)(-l->end[0].y & 65535)) >> 16);
-    l->at = l->end[0].x * 65536 + (l->step < 0 ? -way : way);
+        (int64_t)(pel_times(size, (int32_t)(-end[0].y & 65535)) >> 16);
+    l->at = end[0].x * 65536 + (l->step < 0 ? -way : way);
 }
 
 void pel_smooth_lines_begin(struct pel_smooth_lines *lines,
@@ -126,36 +148,20 @@ void pel_smooth_lines_begin(struct pel_smooth_lines *lines,
     o->spread.x = o->spread.y = 0;
 }
 
-static PEL_NOINLINE_32 void set_place(struct pel_smooth_far_place *far,
-                                      const struct pel_smooth_curve *b,
-                                      bool last)
-{
-    const struct pel_smooth_place *const p =
-        last == b->hole ? &b->from : &b->to;
-    far->x = (int64_t)b->center.x * 256 + p->x;
-    far->y = (int64_t)b->center.y * 256 + p->y;
-}
-
-void pel_smooth_joint(const struct pel_smooth_outline *o, int32_t k,
-                      bool flipped, struct pel_smooth_far_place place[2])
-{
-    set_place(&place[flipped], &o->curve[k], true);
-    set_place(&place[!flipped], &o->curve[k + 1 == o->curves ? 0 : k + 1],
-              false);
-}
-
 void pel_smooth_lines_add(struct pel_smooth_lines *lines, struct pel_point d,
                           int32_t k)
 {
     struct pel_smooth_outline *const o = &lines->outline;
     struct pel_smooth_line *const l =
         &lines->line[lines->wide ? o->count / 2 : o->count];
-    pel_smooth_joint(o, k, false, l->end);
-    l->rising = l->end[1].y < l->end[0].y;
+    struct pel_smooth_far_place end[2];
+    pel_smooth_joint(o, k, false, end);
+    l->curve = (uint8_t)k;
+    l->rising = end[1].y < end[0].y;
     if (l->rising)
-        pel_smooth_joint(o, k, true, l->end);
-    if (l->end[0].y == l->end[1].y)
+        pel_smooth_joint(o, k, true, end);
+    if (end[0].y == end[1].y)
         return;
-    set_line(l, d);
+    set_line(l, d, end);
     o->count = (uint8_t)(o->count + (lines->wide ? 2 : 1));
 }

@@ -14,12 +14,14 @@ struct pel_smooth_far_place {
 void pel_smooth_joint(const struct pel_smooth_outline *outline, int32_t k,
                       bool flipped, struct pel_smooth_far_place place[2]);
 
-/* A line down. */
+/* A line down, from the end of a curve to where the next one begins or, if the
+ * outline goes up, the other way around. */
 struct pel_smooth_line {
-    struct pel_smooth_far_place end[2]; /* the upper one, the lower one */
     int64_t at, step; /* at the top of a row, to the next: px 2^-32 */
     int32_t row;
+    int32_t first, end; /* rows that it crosses as a whole */
     struct pel_smooth_slope slope;
+    uint8_t curve;
     bool rising; /* the outline goes up */
 };
 
