@@ -84,6 +84,7 @@
 #include "image/copy.h"
 #include "image/copy_runs.h"
 #include "image/glyph_text.h"
+#include "image/icon.h"
 #include "image/outline_text.h"
 #include "image/scroll.h"
 #include "image/smooth_glyph.h"
@@ -91,6 +92,7 @@
 #include "image/text_column.h"
 
 #include "asset/font_asset.h"
+#include "asset/icon_asset.h"
 #include "asset/image_asset.h"
 #include "asset/mesh_asset.h"
 #include "asset/outline_font_asset.h"

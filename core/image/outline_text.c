@@ -1,7 +1,7 @@
 #include "outline_text.h"
 
-#include "../base/trig.h"
 #include "../path/pen.h"
+#include "../path/transform.h"
 #include "outline_glyphs.h"
 
 /* A glyph at its place: what an outline source walks. */
@@ -215,21 +215,12 @@ static void visit(const struct pel_outline_text_block *text,
     }
 }
 
-/* The pixels of the font's box around a glyph, and one more on each side;
- * all where they are out of range. */
+/* The pixels of the font's box around a glyph, and one more on each side. */
 static struct pel_rect box_of(const struct placed *g)
 {
     const struct pel_outline_font_asset *const f = g->font;
-    struct pel_point v[4];
-    bool legal = true;
-    for (int i = 0; i < 4; i++)
-        legal &= pel_transform_point(&g->transform, i & 1 ? f->right : f->left,
-                                     i & 2 ? f->top : f->bottom, &v[i]);
-    const struct pel_rect box = pel_points_box(v, 4);
-    const struct pel_rect all = {-32768, -32768, 32768, 32768};
-    return legal ? (struct pel_rect){(box.x0 >> 8) - 1, (box.y0 >> 8) - 1,
-                                     (box.x1 >> 8) + 2, (box.y1 >> 8) + 2}
-                 : all;
+    const struct pel_rect units = {f->left, f->bottom, f->right, f->top};
+    return pel_transform_box(&g->transform, units);
 }
 
 struct drawing {
@@ -304,16 +295,14 @@ bool pel_hit_outline_text(const struct pel_outline_text_block *text, int32_t x,
     return h.inside;
 }
 
-/* The matrix is (cos, sin; sin, -cos) times k / 2^31, with k = 65,536 size /
- * em, below 2^31 as em is 256 at least. */
+/* The units of fonts grow upwards; an em is 256 of them at least. */
 struct pel_transform pel_outline_transform(
     const struct pel_outline_font_asset *font, int32_t size, int32_t turn,
     struct pel_point at)
 {
-    const struct pel_point d = pel_direction((uint16_t)turn);
-    const uint32_t s = (uint32_t)size, em = font->em;
-    const int32_t k = (int32_t)((s / em << 16) + (s % em << 16) / em);
-    const int32_t c = (int32_t)((pel_long_product(k, d.x) + 16384) >> 15);
-    const int32_t n = (int32_t)((pel_long_product(k, d.y) + 16384) >> 15);
-    return (struct pel_transform){c, n, n, -c, at};
+    struct pel_transform t =
+        pel_transform_turned(pel_transform_scale(size, font->em), turn, at);
+    t.xy = -t.xy;
+    t.yy = -t.yy;
+    return t;
 }

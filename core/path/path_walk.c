@@ -10,6 +10,7 @@
  * are below 2^26.6 in each direction, and the tolerance less the rounding of
  * points is 3 at least. */
 #include "pen.h"
+#include "transform.h"
 
 static const uint8_t points_of[PEL_CLOSE + 1] = {1, 1, 2, 3, 0};
 

@@ -54,10 +54,6 @@ struct pel_pen {
 /* Draws what the verb does with the points from v[1] on, which are legal. */
 enum pel_status pel_curves_add(struct pel_curves *curves, enum pel_verb verb);
 
-/* Where a point lies; false: out of range. */
-bool pel_transform_point(const struct pel_transform *transform, int32_t x,
-                         int32_t y, struct pel_point *to);
-
 /* The pen of a fill, which makes sides of lines and closes parts. */
 struct pel_fill_pen {
     struct pel_pen pen;

@@ -15,7 +15,6 @@
 #include "sim/cli/message.h"
 #include "sim/render/scene_options.h"
 #include "sim/render/scene_pel2d.h"
-#include "sim/image/texture.h"
 
 /* The kinds of output, as the bits of a set. */
 enum import_kind {
@@ -23,7 +22,8 @@ enum import_kind {
     IMPORT_PICTURE = 2,
     IMPORT_FONT = 4,
     IMPORT_PEL2D = 8,
-    IMPORT_VIEWS = 16 /* with IMPORT_MESH: --view is given */
+    IMPORT_VIEWS = 16, /* with IMPORT_MESH: --view is given */
+    IMPORT_ICON = 32   /* with IMPORT_PICTURE: --icon-size is given */
 };
 
 struct import_command {
@@ -53,6 +53,11 @@ static bool is_font(const char *path)
     }
     return path_has_ending(path, " .bdf .psf .psfu .pcf .ttf .otf .ttc .woff "
                                  ".woff2 .pfa .pfb .t1 .fnt ");
+}
+
+static bool is_icon(const char *path)
+{
+    return path_has_ending(path, " .svg ");
 }
 
 static bool is_pel2d(const char *path)
@@ -119,8 +124,8 @@ static const struct option_row mesh_options[] = {
 static const char about[] =
     "Makes an asset for firmware: a C file with one const struct, and the "
     "header that declares it, of a mesh (pel/asset/mesh_asset.h), a "
-    "picture (pel/asset/image_asset.h) or a font "
-    "(pel/asset/font_asset.h); or an output .pel2d, a mesh projected "
+    "picture (pel/asset/image_asset.h), an icon (pel/asset/icon_asset.h) or "
+    "a font (pel/asset/font_asset.h); or an output .pel2d, a mesh projected "
     "already.\nOf the options under the headings from Shading on, a C asset of "
     "a mesh takes --texture-file, --normals-from and --crease alone, and with "
     "--view all but those of pel render; a .pel2d "
@@ -131,7 +136,9 @@ static const char about[] =
     "with the same --normals 16 where there is light.\n"
     "MESH is a file that assimp reads, or one of " MESH_BUILTINS
     "; PICTURE is a .png, .jpg, .tga, .bmp, .gif, .ppm, .pgm, .pbm "
-    "or .pam file; FONT is a "
+    "or .pam file; ICON is a .svg file of shapes, groups and gradients: what "
+    "it holds beside, as text, filters, masks, <use> or rules of CSS, is "
+    "refused by its name; FONT is a "
     ".bdf, .psf, .pcf, .ttf, .otf, .woff or .pfb file, packed (.gz) or not: "
     "characters and their pairs, without ligatures, from the left. The same "
     "input gives the same bytes.";
@@ -143,7 +150,9 @@ static const struct use {
     unsigned kinds; /* of enum import_kind */
     const char *what;
 } uses[] = {
-    {"name", IMPORT_MESH | IMPORT_PICTURE | IMPORT_FONT, "C assets"},
+    {"name", IMPORT_MESH | IMPORT_PICTURE | IMPORT_FONT | IMPORT_ICON,
+     "C assets"},
+    {IMPORT_ICON_OPTIONS, IMPORT_ICON, "icons"},
     {"format", IMPORT_PICTURE | IMPORT_MESH, "pictures and textures"},
     {"normals|view", IMPORT_MESH, "C assets of meshes"},
     {IMPORT_FONT_OPTIONS, IMPORT_FONT, "fonts"},
@@ -155,15 +164,14 @@ static const struct use {
     {NULL, IMPORT_PEL2D | IMPORT_VIEWS, "an output .pel2d and --view"},
 };
 
-static bool check_options(const struct options_given *given,
-                          enum import_kind kind, bool views)
+static bool check_options(const struct options_given *given, unsigned kinds)
 {
-    const unsigned kinds = (unsigned)kind | (views ? IMPORT_VIEWS : 0);
     const char *name =
-        kind == IMPORT_MESH      ? "a C asset of a mesh holds the mesh itself"
-        : kind == IMPORT_PICTURE ? "this is a picture"
-        : kind == IMPORT_FONT
-            ? "this is a font"
+        kinds & IMPORT_MESH      ? "a C asset of a mesh holds the mesh itself"
+        : kinds & IMPORT_PICTURE ? "this is a picture"
+        : kinds & IMPORT_FONT    ? "this is a font"
+        : kinds & IMPORT_ICON
+            ? "this is an icon, without --icon-size of any size"
             : "a pel2d file holds triangles with Gouraud's colours";
     for (int i = 0; i < given->count; i++) {
         const struct use *use = uses;
@@ -198,9 +206,10 @@ static bool check_mesh(const char *path)
     if (access(path, R_OK) != 0 || mesh_ending_known(path))
         return true;
     return message_error_at(path, 0,
-                            "neither mesh, picture nor font by its ending: "
-                            "expected a font .bdf, .psf, .pcf or .ttf, a "
-                            "picture .png, .ppm, .jpg, or a mesh that assimp "
+                            "neither mesh, picture, icon nor font by its "
+                            "ending: expected a font .bdf, .psf, .pcf or .ttf, "
+                            "a picture .png, .ppm, .jpg, an icon .svg, or a "
+                            "mesh that assimp "
                             "reads");
 }
 
@@ -208,18 +217,22 @@ static bool check(struct import_command *c)
 {
     struct import_options *o = &c->options;
     const char *input = o->source, *output = o->output;
-    const bool picture = is_picture(input), font = is_font(input);
+    const bool icon = is_icon(input), font = is_font(input);
+    const bool picture = is_picture(input) || (icon && o->icon_size);
+    const unsigned more =
+        (c->views ? IMPORT_VIEWS : 0u) | (icon ? IMPORT_ICON : 0u);
     if (!output)
         return message_error("-o ASSET.c is missing: expected `pel import "
-                             "MESH|PICTURE|FONT -o ASSET.c`");
+                             "MESH|PICTURE|ICON|FONT -o ASSET.c`");
     if (strcmp(input, "-") == 0)
         return message_error(
             "import does not read standard input: expected a file");
     c->kind = is_pel2d(output) ? IMPORT_PEL2D
               : picture        ? IMPORT_PICTURE
               : font           ? IMPORT_FONT
+              : icon           ? IMPORT_ICON
                                : IMPORT_MESH;
-    if (c->kind == IMPORT_PEL2D && (picture || font))
+    if (c->kind == IMPORT_PEL2D && (picture || font || icon))
         return message_error_at(
             input, 0, "a pel2d file holds a mesh: expected an output .c");
     if (c->kind != IMPORT_PEL2D && strcmp(output, "-") != 0 &&
@@ -230,9 +243,9 @@ static bool check(struct import_command *c)
                              "another");
     if (!o->name)
         o->name = import_name(output, c->name);
-    return (picture || font || check_mesh(input)) &&
-           check_options(&c->scene.given, c->kind, c->views) &&
-           check_outline(c) &&
+    return (picture || font || icon || check_mesh(input)) &&
+           check_options(&c->scene.given, (unsigned)c->kind | more) &&
+           check_outline(c) && import_icon_options_check(o) &&
            (c->kind == IMPORT_PEL2D || import_name_check(o->name)) &&
            (!o->next || import_name_check(o->next)) && import_codes_check(o);
 }
@@ -269,14 +282,16 @@ static bool import_as_picture(struct import_command *c)
 {
     struct picture picture;
     const pel_color background = c->scene.settings.camera.background;
-    const struct pel_format *format =
-        c->format ? c->format : format_find("rgb565_le");
+    const struct pel_format *format = c->format ? c->format
+                                      : c->options.icon_size
+                                          ? &pel_argb8888
+                                          : format_find("rgb565_le");
     if (import_has_alpha(format) && background != 0)
         return message_error(
             "--background is for formats without alpha; " IMPORT_ALPHA_FORMAT
             " and palettes keep it");
     c->options.background = background | PEL_RGB(0, 0, 0);
-    const bool done = texture_load(&picture, c->options.source) &&
+    const bool done = import_picture_load(&picture, &c->options) &&
                       import_picture(&c->options, &picture, format);
     picture_free(&picture);
     return done;
@@ -327,7 +342,7 @@ int command_import(int argc, char **argv)
     c.scene.settings.texture = SCENE_TEXTURE_NEAREST;
     c.scene.settings.camera.background = 0; /* no option gives that */
     const struct command_line line = {
-        .arguments = "MESH|PICTURE|FONT",
+        .arguments = "MESH|PICTURE|ICON|FONT",
         .least = 1,
         .most = 1,
         .about = about,
@@ -335,6 +350,7 @@ int command_import(int argc, char **argv)
                    {options, &c, &c.scene.given},
                    {import_font_options, &c.options, &c.scene.given},
                    {picture_options, &c, &c.scene.given},
+                   {import_icon_options, &c.options, &c.scene.given},
                    {import_change_options, &c.options.changes, &c.scene.given},
                    {mesh_options, &c, &c.scene.given},
                    {scene_option_table, &c.scene, &c.scene.given}}};
@@ -345,6 +361,7 @@ int command_import(int argc, char **argv)
     const bool done = c.kind == IMPORT_PEL2D     ? import_as_pel2d(&c)
                       : c.kind == IMPORT_PICTURE ? import_as_picture(&c)
                       : c.kind == IMPORT_FONT    ? import_font(&c.options)
+                      : c.kind == IMPORT_ICON    ? import_icon(&c.options)
                                                  : import_as_mesh(&c);
     return done ? STATUS_OK : STATUS_ERROR;
 }

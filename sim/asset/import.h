@@ -47,6 +47,8 @@ struct import_options {
     const char *next;     /* the C object of a font that is asked next; NULL */
     const char *codes;    /* of a font: code points to keep, or NULL ... */
     const char *chars;    /* ... and characters; without either all */
+    int icon_size;        /* px of an icon's picture; 0: its paths */
+    bool symbolic;        /* an icon takes the program's color */
     pel_color background; /* of a picture's transparent parts, opaque */
     struct import_changes changes;
     const struct measure *measure; /* of a mesh; NULL: nothing was measured */
@@ -61,6 +63,11 @@ extern const struct option_row import_font_options[];
 #define IMPORT_FONT_OPTIONS \
     "codes|chars|encoding|font-size|bits|hinting|next|outline"
 
+/* Those of an icon: icon_size and symbolic. False, with a message: not both. */
+extern const struct option_row import_icon_options[];
+#define IMPORT_ICON_OPTIONS "icon-size|symbolic"
+bool import_icon_options_check(const struct import_options *options);
+
 /* Write a C file with one const struct and its arrays, and its header beside
  * it, the same for the same input: no date, no path. The textures of a mesh are
  * written in that format, or in pel_argb8888 where they have alpha; not at all
@@ -69,6 +76,12 @@ extern const struct option_row import_font_options[];
 bool import_mesh(const struct import_options *options,
                  const struct model *model, const struct pel_format *format);
 bool import_font(const struct import_options *options);
+bool import_icon(const struct import_options *options);
+
+/* Reads a picture, or an icon as one where the options name its size. False,
+ * with a message. */
+bool import_picture_load(struct picture *picture,
+                         const struct import_options *options);
 
 /* The picture is changed as the options say, and made opaque, with a note on
  * standard error when it was not, unless the format is pel_argb8888 or a

@@ -4,8 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/asset/icon_asset.h"
 #include "core/asset/outline_font_asset.h"
 #include "core/format/argb8888.h"
+#include "core/format/formats.h"
 #include "core/base/surface.h"
 #include "sim/asset/measure.h"
 #include "sim/image/format_names.h"
@@ -139,6 +141,47 @@ void report_outlines(const struct import_options *options,
                                    font->ranges * sizeof *font->range,
                                    "points of glyphs, equal ones once",
                                    "places and advances of glyphs", what});
+}
+
+/* A picture of each size, of pixels in that format. */
+static void put_sizes(const struct pel_icon_asset *icon, const char *name,
+                      const struct pel_format *format)
+{
+    static const int sizes[] = {16, 24, 32, 48, 64};
+    const int side = icon->width > icon->height ? icon->width : icon->height;
+    printf("            %-10s", name);
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        const int w = (icon->width * sizes[i] + side - 1) / side;
+        const int h = (icon->height * sizes[i] + side - 1) / side;
+        printf("  %2d px %5zu", sizes[i], bytes_of(format, w, h));
+    }
+    printf("\n");
+}
+
+void report_icon(const struct import_options *options,
+                 const struct pel_icon_asset *icon)
+{
+    enum { STRUCT = 60, STOP = 8 };
+    const size_t parts = icon->parts * sizeof *icon->part;
+    const size_t gradients =
+        icon->gradients * sizeof *icon->gradient + icon->stops * (size_t)STOP;
+    const size_t path = icon->verbs + icon->points * (size_t)4;
+    if (is_silent(options))
+        return;
+    put(path, "verbs and points");
+    put(parts, "parts");
+    if (gradients)
+        put(gradients, "gradients and their stops");
+    put(STRUCT, "the struct, on a 32-bit CPU");
+    put(path + parts + gradients + STRUCT,
+        icon->strokes
+            ? "bytes in flash, for pel_icon_smooth_strokes at any size"
+            : "bytes in flash, for pel_icon_smooth at any size");
+    printf("            as pictures (--icon-size), of one size each:\n");
+    put_sizes(icon, "4-bit mask", &pel_gray4);
+    put_sizes(icon, "palette4", &import_palettes[0].format);
+    put_sizes(icon, "palette8", &import_palettes[1].format);
+    put_sizes(icon, "argb8888", &pel_argb8888);
 }
 
 static void put_textures(const struct model *model,

@@ -21,6 +21,11 @@ void report_outlines(const struct import_options *options,
 /* What was measured of a mesh: the errors of all ways, and what was taken. */
 void report_measure(const struct import_options *options);
 
+/* Of an icon, and of pictures of it. */
+struct pel_icon_asset;
+void report_icon(const struct import_options *options,
+                 const struct pel_icon_asset *icon);
+
 /* Of a mesh; with its textures, in that format, unless it is NULL. */
 void report_mesh(const struct import_options *options,
                  const struct model *model, const struct pel_format *format);

@@ -54,7 +54,7 @@ struct command_line {
     const char *arguments; /* after the options, for people */
     int least, most;       /* how many of them */
     const char *about;     /* before the options and, after \v, behind them */
-    struct option_table tables[8]; /* ends with the options NULL */
+    struct option_table tables[9]; /* ends with the options NULL */
 };
 
 /* Reads a command line; argv[0] is "pel NAME". Returns the arguments that are

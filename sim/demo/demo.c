@@ -54,7 +54,7 @@ static const struct library {
     {"libzip", "libzip-dev", "opens 3MF meshes"},
 #endif
 #ifndef HAVE_EXPAT
-    {"expat", "libexpat1-dev", "reads 3MF meshes"},
+    {"expat", "libexpat1-dev", "reads 3MF meshes, and SVG icons"},
 #endif
 #ifndef HAVE_JANSSON
     {"jansson", "libjansson-dev", "reads glTF meshes"},

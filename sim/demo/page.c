@@ -21,7 +21,7 @@ static const struct page_section first[] = {
     {"paints", "Paints", "Any paint on any shape, opaque or seen through.",
      "gradients wheel dither glass blend textures figures figures-flat "
      "figures-corners figures-rings figures-sectors"},
-    {"text", "Text, pictures, formats", "", "text type scroll formats"},
+    {"text", "Text, pictures, formats", "", "text type icons scroll formats"},
     {"meshes", "3-D",
      "Flat, Gouraud, textures, Phong. <a href=\"lighting.html\">Light term by "
      "term</a> has a page of its own.",
@@ -75,6 +75,10 @@ static const struct product {
      "make device EXAMPLE=kiosk\nmake window EXAMPLE=kiosk"},
     {"vase", "Vase", "240 x 320: 220 triangles, lit, a line at a time in 8 KB.",
      "make board EXAMPLE=mesh BOARD=m0plus"},
+    {"icons", "Icons",
+     "SVG files, at any size and angle from one table each; some take a colour "
+     "of the program's.",
+     "pel run docs/pictures/icons.pel -o icons.ppm"},
     {"game", "Game",
      "240 x 240: tiles that scroll, twenty sprites, one turned and larger.",
      BOARD("game")},

@@ -91,6 +91,7 @@ bool script_argument(struct script_parser *p, enum script_kind kind,
         return parse_choice(p, word, value);
     case KIND_FONT:
     case KIND_PICTURE:
+    case KIND_ICON:
     case KIND_FILE:
     case KIND_MESH:
     case KIND_TEXT:

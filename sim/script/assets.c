@@ -10,6 +10,7 @@
 #include "sim/cli/text_line.h"
 #include "sim/font/asset.h"
 #include "sim/font/outline_asset.h"
+#include "sim/icon/icon.h"
 #include "sim/image/texture.h"
 #include "sim/script/parser.h"
 
@@ -112,6 +113,8 @@ static bool load(const struct script_parser *p, enum script_kind kind,
         return load_font(asset, name);
     if (kind == KIND_PICTURE)
         return load_picture(&asset->picture, name);
+    if (kind == KIND_ICON)
+        return icon_load(&asset->icon, name);
     if (kind == KIND_MESH) {
         asset->mesh = calloc(1, sizeof *asset->mesh);
         return asset->mesh ? load_mesh(p, asset->mesh, name)
@@ -125,8 +128,10 @@ static void free_asset(const struct script_asset *asset)
 {
     struct pel_font_asset font = asset->font;
     struct pel_outline_font_asset outlines = asset->outlines;
+    struct pel_icon_asset icon = asset->icon;
     font_asset_free(&font);
     outline_asset_free(&outlines);
+    icon_free(&icon);
     free(asset->picture.pixels);
     free(asset->path);
     free(asset->text);
@@ -150,10 +155,12 @@ static bool add(struct script_parser *p, struct script_asset *asset,
     return done;
 }
 
-/* The font or the picture that an earlier line has named, or the next asset. */
+/* The font, picture or icon that an earlier line has named, or the next asset.
+ */
 static size_t find(const struct script *script, const struct script_asset *new)
 {
-    size_t i = new->kind == KIND_FONT || new->kind == KIND_PICTURE
+    size_t i = new->kind == KIND_FONT || new->kind == KIND_PICTURE ||
+                       new->kind == KIND_ICON
                    ? 0
                    : script->asset_count;
     while (i < script->asset_count &&

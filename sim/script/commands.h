@@ -96,6 +96,7 @@ enum script_kind {
     /* These are indices of the script's assets. */
     KIND_FONT = 'F',    /* a file */
     KIND_PICTURE = 'P', /* a file */
+    KIND_ICON = 'I',    /* a file */
     KIND_MESH = 'M',    /* a file or one of MESH_BUILTINS */
     KIND_FILE = 'Q',    /* a file, whose path is kept as a text */
     KIND_TEXT = 'T'     /* in quotes */

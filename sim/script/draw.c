@@ -1,4 +1,5 @@
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/outline/outline.h"
 #include "sim/cli/message.h"
@@ -79,13 +80,14 @@ static bool check_whole(const struct script *script,
                             script->height);
 }
 
-/* Does it draw strokes, paths or outlines of letters, which have many more
- * sides than points? */
+/* Does it draw strokes, paths, outlines of letters or icons, which have many
+ * more sides than points? */
 static bool has_strokes(const struct script *script)
 {
     const struct script_item *item = script->items;
     for (; item < script->items + script->item_count; item++) {
-        if (item->command->role == SCRIPT_TEXT)
+        if (item->command->role == SCRIPT_TEXT ||
+            strchr(item->command->kinds, KIND_ICON))
             return true;
         for (const struct script_command *c = script_strokes; c->name; c++)
             if (item->command == c && c->role == SCRIPT_SHAPE)
@@ -102,7 +104,7 @@ bool script_pen_init(struct script_pen *pen, const struct script *script,
     const size_t outline = pel_polygon_outline_scratch_size((int32_t)n);
     const size_t smooth = PEL_SMOOTH_POLYGON_SCRATCH_SIZE(n, width);
     const size_t stroke =
-        has_strokes(script) ? PEL_SMOOTH_PATH_SCRATCH_SIZE(65536, width) : 0;
+        has_strokes(script) ? PEL_ICON_SCRATCH_SIZE(65536, width) : 0;
     const size_t polygon = outline > smooth ? outline : smooth;
     const size_t size = polygon > stroke ? polygon : stroke;
     *pen = (struct script_pen){.surface = surface,

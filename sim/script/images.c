@@ -2,6 +2,7 @@
 #include "core/image/glyph_text.h"
 #include "core/image/scroll.h"
 #include "core/image/smooth_outline_text.h"
+#include "sim/icon/icon.h"
 #include "sim/script/parser.h"
 
 static void set_font(struct script_pen *pen, const int32_t *v)
@@ -62,6 +63,19 @@ static void draw_image_key(struct script_pen *pen, const int32_t *v)
     pel_copy_keyed(pen->surface, &copy, (pel_color)v[2]);
 }
 
+/* Its middle, longer side, turn, and the colour of what takes one. */
+static void draw_icon(struct script_pen *pen, const int32_t *v)
+{
+    const struct pel_icon_asset *icon = &pen->script->assets[v[5]].icon;
+    struct pel_icon_shape shape = {.icon = icon,
+                                   .kind = icon_kind(icon, pen->smooth),
+                                   .color = (pel_color)v[4]};
+    pel_icon_place(&shape, v[2], v[3], (struct pel_point){v[0], v[1]});
+    const enum pel_status status =
+        pel_icon(pen->surface, &shape, pen->scratch, pen->scratch_size);
+    pen->failed = pen->failed || status == PEL_ERROR_SCRATCH;
+}
+
 static void draw_scroll(struct script_pen *pen, const int32_t *v)
 {
     const struct pel_rect area = {v[0], v[1], v[0] + v[2], v[1] + v[3]};
@@ -95,6 +109,8 @@ const struct script_command script_images[] = {
     {"image alpha", "iibP", "X Y ALPHA FILE", SCRIPT_PICTURE,
      .draw = draw_image_alpha},
     {"image", "iiP", "X Y FILE", SCRIPT_PICTURE, .draw = draw_image},
+    {"icon", "ppltcI", "X Y SIZE TURN COLOUR FILE", SCRIPT_PICTURE,
+     .draw = draw_icon},
     {"scroll", "iinnii", "X Y WIDTH HEIGHT DX DY", SCRIPT_WHOLE,
      .draw = draw_scroll},
     {.next = script_paint_commands},

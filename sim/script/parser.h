@@ -3,6 +3,7 @@
 #ifndef SIM_SCRIPT_PARSER_H
 #define SIM_SCRIPT_PARSER_H
 
+#include "core/asset/icon_asset.h"
 #include "core/asset/outline_font_asset.h"
 #include "sim/render/scene.h"
 #include "sim/script/commands.h"
@@ -25,11 +26,13 @@ struct script_mesh {
 /* One of these, loaded when the script is read; the others are zero. */
 struct script_asset {
     enum script_kind kind;
-    char *path; /* of a font, a picture, a mesh, by which a line finds it */
+    char *path; /* of a font, a picture, an icon, a mesh, by which a line finds
+                   it */
     struct pel_font_asset font;
     struct pel_outline_font_asset outlines;
     int size;                   /* px of a smooth font, or 0; -1: outlines */
     struct pel_surface picture; /* of argb8888 pixels */
+    struct pel_icon_asset icon;
     char *text;
     struct script_mesh *mesh;
 };

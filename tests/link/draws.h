@@ -185,6 +185,54 @@ static inline void draw_smooth_outline_text(const struct pel_paint *paint)
     pel_smooth_outline_text(&screen, &text, paint, scratch, sizeof scratch);
 }
 
+/* A fill by a gradient and a stroke, whatever the paint, at an angle. */
+static inline void draw_smooth_icon(const struct pel_paint *paint)
+{
+    static const uint8_t verbs[] = {PEL_MOVE, PEL_CUBIC, PEL_LINE,
+                                    PEL_MOVE, PEL_LINE,  PEL_LINE};
+    static const int16_t points[] = {100, 100, 100, 900, 900, 900, 900, 100,
+                                     500, 300, 200, 200, 800, 300, 400, 800};
+    static const struct pel_icon_stop stops[] = {{0, 0xFFFFFFFF},
+                                                 {4096, 0xFF2050A0}};
+    static const struct pel_icon_gradient gradient = {
+        .frame = {{500, 400}, {900, 500}, {400, 900}}, .radial = 1, .stops = 2};
+    static const struct pel_icon_part parts[] = {
+        {.verbs = 3, .points = 5, .kind = PEL_ICON_NON_ZERO},
+        {.color = 0xFF306030,
+         .verbs = 3,
+         .points = 3,
+         .kind = PEL_ICON_STROKE,
+         .gradient = PEL_ICON_FLAT,
+         .cap = PEL_CAP_ROUND,
+         .join = PEL_JOIN_ROUND,
+         .width = 90}};
+    static const struct pel_icon_asset icon = {.magic = PEL_ICON_MAGIC,
+                                               .version = PEL_ICON_VERSION,
+                                               .strokes = 1,
+                                               .width = 1000,
+                                               .height = 1000,
+                                               .right = 1000,
+                                               .bottom = 1000,
+                                               .parts = 2,
+                                               .gradients = 1,
+                                               .stops = 2,
+                                               .verbs = sizeof verbs,
+                                               .points = 8,
+                                               .part = parts,
+                                               .gradient = &gradient,
+                                               .stop = stops,
+                                               .verb = verbs,
+                                               .point = points,
+                                               .painter = &pel_icon_gradients};
+    static uint64_t scratch[PEL_ICON_SCRATCH_SIZE(48, SCREEN_SIDE) / 8 + 1];
+    struct pel_icon_shape shape = {.icon = &icon,
+                                   .kind = &pel_icon_smooth_strokes};
+    (void)paint;
+    pel_icon_place(&shape, PEL_PX(30), 5000,
+                   (struct pel_point){PEL_PX(30), PEL_PX(25)});
+    pel_icon(&screen, &shape, scratch, sizeof scratch);
+}
+
 /* All of them but smooth ones and paths, each as EACH(name). */
 #define EVERY_DRAW(EACH)                                                      \
     EACH(triangle), EACH(triangle_or_line), EACH(polygon), EACH(rectangle),   \

@@ -11,7 +11,7 @@ LINK_SHAPES := triangle triangle_or_line polygon rectangle line thick_line \
     circle ring sector arc ellipse rounded_rectangle triangle_outline \
     rectangle_outline rounded_rectangle_outline circle_outline \
     ellipse_outline arc_outline polygon_outline text smooth_text \
-    smooth_outline_text \
+    smooth_outline_text smooth_icon \
     path path_stroke path_dashes polyline $(addprefix smooth_,path path_stroke \
     path_dashes polyline triangle polygon rectangle thick_line \
     thick_line_round circle ring sector arc arc_round ellipse \

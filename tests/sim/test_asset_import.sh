@@ -268,7 +268,7 @@ for kind in obj png bdf; do
     refuse "none.$kind: cannot be read: No such file" "$dir/none.$kind" -o "$dir/x.c"
 done
 if "$PEL" render "$dir/square.ply" -o "$dir/a.ppm" 2>/dev/null; then
-    refuse "square.c: neither mesh, picture nor font" "$dir/square.c" -o "$dir/y.c"
+    refuse "square.c: neither mesh, picture, icon nor font" "$dir/square.c" -o "$dir/y.c"
 fi
 # Help in groups: what is for fonts, pictures and meshes stands apart.
 "$PEL" import --help >"$dir/help"

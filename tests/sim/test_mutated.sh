@@ -41,6 +41,16 @@ le() { printf "\\$(printf %o $(($1 & 255)))\\$(printf %o $(($1 >> 8 & 255)))\0\0
     printf '\1\2\3\0\4\5\6\0\7\010\011\0\2\1\0\0\0\3\1\2\0\0\0\1'
 } >"$work/rle.bmp"
 
+cat >"$work/a.svg" <<'EOF'
+<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 16 12" width="16px">
+<linearGradient id="a"><stop offset="0" stop-color="#f00"/><stop offset="1"/></linearGradient>
+<g transform="rotate(5) scale(.9,.8)" opacity=".5"><path
+style="fill:url(#a);fill-rule:evenodd" d="M1 1h9.5v3A4 2 30 0 1 3-4q1 2 3 4t1 2c1,1 2e1-2 3 3zs1 1 2 2"/></g>
+<rect x="2" y="1pt" width="50%" height="4" rx="1" fill="none" stroke="navy" stroke-width=".5"/>
+<radialGradient id="b" r=".4" fx="30%" spreadMethod="reflect" href="#a"/>
+<circle cx="9" cy="7" r="3" fill="url(#b)"/><polygon points="1,2 3,4 5,1"/></svg>
+EOF
+
 count=0
 one() { # FILE SEED
     ending=${1##*.}
@@ -53,7 +63,7 @@ one() { # FILE SEED
         ;;
     esac
     case $ending in
-    png | jpg | bmp | ppm | pam | pbm) set -- import "$work/$target" -o - ;;
+    png | jpg | bmp | ppm | pam | pbm | svg) set -- import "$work/$target" -o - ;;
     *) set -- info "$work/$target" ;;
     esac
     (ulimit -v 8000000 && timeout 20 "$PEL" "$@" --limit 10,1500) \
@@ -72,11 +82,11 @@ one() { # FILE SEED
 cp $field/o_scale.mtl "$work/from.mtl"
 files='all.obj partial.obj from.mtl g_tex_vc.gltf q_ushort.gltf a.glb
     p_facecol.ply a.off a.stl m_bm.3mf
-    k8.png t4.png cmyk.jpg w565.bmp rle.bmp a.ppm a.pam a.pbm'
+    k8.png t4.png cmyk.jpg w565.bmp rle.bmp a.ppm a.pam a.pbm a.svg'
 for file in ${FILES:-$files}; do
     cp "$work/$file" "$work/base.${file##*.}"
     case $file in
-    *.png | *.jpg | *.bmp | *.p?m) "$PEL" import "$work/base.${file##*.}" -o - ;;
+    *.png | *.jpg | *.bmp | *.p?m | *.svg) "$PEL" import "$work/base.${file##*.}" -o - ;;
     *.mtl) : ;;
     *) "$PEL" info "$work/base.${file##*.}" ;;
     esac >"$work/out" 2>"$work/err" || fail "$file itself: $(cat "$work/err")"

@@ -1,0 +1,63 @@
+/* Icons: parts of paths with colours, gradients and strokes, at any size and
+ * angle from one table, as `pel import ICON.svg` writes it. Icons of one size
+ * that stand upright take less time as pictures (`--size`).
+ *
+ *     static uint64_t scratch[PEL_SMOOTH_PATH_SCRATCH_SIZE(64, 48 + 3) / 8 +
+ * 1]; struct pel_icon_shape home = {.icon = &icon_home, .kind =
+ * &pel_icon_smooth}; pel_icon_place(&home, PEL_PX(48), 0, pel_at(32, 32));
+ *     pel_icon(&screen, &home, scratch, sizeof scratch);
+ */
+#ifndef PEL_IMAGE_ICON_H
+#define PEL_IMAGE_ICON_H
+
+#include "../asset/icon_asset.h"
+#include "../path/smooth_path.h"
+
+PEL_BEGIN_DECLS
+
+/* What links the code that draws parts: without edges in grey or with them, and
+ * of icons without strokes or of all. */
+struct pel_icon_kind;
+extern const struct pel_icon_kind pel_icon_aliased, pel_icon_aliased_strokes,
+    pel_icon_smooth, pel_icon_smooth_strokes;
+
+/* And that of gradients, which assets with some name. */
+extern const struct pel_icon_gradients pel_icon_gradients;
+
+struct pel_icon_shape {
+    const struct pel_icon_asset *icon; /* checked */
+    const struct pel_icon_kind *kind;
+    struct pel_transform transform; /* of the icon's units */
+    int32_t scale;   /* of the width of strokes: 65,536 makes a unit 1/256 px */
+    pel_color color; /* of parts that take the program's */
+    int32_t tolerance; /* as in struct pel_path_shape */
+};
+
+/* Sets transform and scale: the longer side of the icon's box becomes `size`
+ * (1/256 px, 0..32,767 px), its middle lies at `at`, and it is turned clockwise
+ * by `turn`. */
+void pel_icon_place(struct pel_icon_shape *shape, int32_t size, int32_t turn,
+                    struct pel_point at);
+
+/* The pixels that it may draw in. */
+struct pel_rect pel_icon_box(const struct pel_icon_shape *shape);
+
+/* Bytes of scratch memory, aligned to 8, of a smooth icon: for so many sides in
+ * a row, and a clip or a box of so many pixels. An aliased one takes that of
+ * pel_path_fill and pel_path_stroke and PEL_ICON_SIZE more. */
+#define PEL_ICON_SIZE (44 * sizeof(void *))
+#define PEL_ICON_SCRATCH_SIZE(sides, width) \
+    (PEL_SMOOTH_PATH_SCRATCH_SIZE(sides, width) + PEL_ICON_SIZE)
+
+/* Draws the parts one over the other, each as pel_path_fill, pel_path_stroke or
+ * their smooth twins do; of the scratch memory the row of pixels is no wider
+ * than pel_icon_box. A gradient shows at the centre of each
+ * pixel, d axes from its frame's origin, the color of a place that is less than
+ * 3 + d 4,096ths off, within 2 steps; beyond 8 axes a radial one is as there.
+ * Errors are those of the first part that has one, and the icon ends there;
+ * PEL_ERROR_FORMAT, too: a kind without strokes for an icon that has some. */
+enum pel_status pel_icon(const struct pel_surface *surface,
+                         const struct pel_icon_shape *shape, void *scratch,
+                         size_t size);
+PEL_END_DECLS
+#endif

@@ -1,0 +1,143 @@
+/* Gradients of icons: places by steps from pixel to pixel, colours by stops. */
+#include "../base/divide.h"
+#include "../path/transform.h"
+#include "icon_paint.h"
+
+enum {
+    RUN_PIXELS = 8,
+    ONE = 4096,  /* a whole way */
+    FAR = 32767, /* places beyond are as this one: squares fit 32 bits */
+    FAR_LINEAR = 1 << 30
+};
+
+static uint32_t root_of(uint32_t v)
+{
+    uint32_t root = 0;
+    for (uint32_t bit = UINT32_C(1) << 30; bit > 0; bit >>= 2) {
+        const bool over = v >= root + bit;
+        v -= over ? root + bit : 0;
+        root = (root >> 1) + (over ? bit : 0);
+    }
+    return root;
+}
+
+static int32_t cut(uint64_t v, int32_t most)
+{
+    const int64_t n = (int64_t)v >> 12;
+    return n < -most ? -most : n > most ? most : (int32_t)n;
+}
+
+/* The place of a pixel, 0 to ONE, by the spread. */
+static int32_t place_of(const struct pel_icon_paint *p, uint64_t u, uint64_t v)
+{
+    const struct pel_icon_gradient *const g = p->gradient;
+    int32_t t = cut(u, g->radial ? FAR : FAR_LINEAR);
+    if (g->radial) {
+        const int32_t w = cut(v, FAR);
+        const uint32_t square = (uint32_t)(t * t) + (uint32_t)(w * w);
+        t = (int32_t)root_of(square) + (t * (int32_t)(g->focus >> 1) >> 15);
+    }
+    if (g->spread == PEL_ICON_REPEAT)
+        return t & (ONE - 1);
+    if (g->spread == PEL_ICON_REFLECT) {
+        t &= 2 * ONE - 1;
+        return pel_min(t, 2 * ONE - t);
+    }
+    return pel_max(0, pel_min(t, ONE));
+}
+
+/* a and b by 256 - w and w, channel by channel, alpha too. */
+static pel_color mixed(pel_color a, pel_color b, uint32_t w)
+{
+    const uint32_t mask = UINT32_C(0xFF00FF), half = UINT32_C(0x800080);
+    const uint32_t low = (a & mask) * (256 - w) + (b & mask) * w + half;
+    const uint32_t high =
+        (a >> 8 & mask) * (256 - w) + (b >> 8 & mask) * w + half;
+    return (low >> 8 & mask) | (high & ~mask);
+}
+
+static pel_color color_at(const struct pel_icon_paint *p, int32_t place)
+{
+    const struct pel_icon_stop *s = p->stop;
+    const struct pel_icon_stop *const last = s + p->gradient->stops - 1;
+    while (s < last && s[1].at <= place)
+        s++;
+    if (s == last || place <= s->at)
+        return s->color;
+    const uint32_t part = (uint32_t)(place - s->at);
+    return mixed(s->color, s[1].color,
+                 part * 256 / (uint32_t)(s[1].at - s->at));
+}
+
+static uint64_t start_of(const struct pel_icon_axis *axis, int32_t x, int32_t y)
+{
+    return axis->at + pel_times(axis->x, x) + pel_times(axis->y, y);
+}
+
+static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
+{
+    const struct pel_icon_paint *const p = (const void *)paint;
+    pel_color colors[RUN_PIXELS];
+    for (int32_t i = 0; i < spans->n; i++) {
+        const int32_t y = spans->y + i * spans->step;
+        const int32_t end = spans->span[i].x1;
+        int32_t x = spans->span[i].x0;
+        uint64_t u = start_of(&p->u, x, y), v = start_of(&p->v, x, y);
+        for (int32_t n; x < end; x += n) {
+            for (n = 0; n < RUN_PIXELS && x + n < end; n++) {
+                colors[n] = color_at(p, place_of(p, u, v));
+                u += p->u.x;
+                v += p->v.x;
+            }
+            pel_put_colors(spans->surface, x, y, n, colors);
+        }
+    }
+}
+
+/* b / area in 2^-24 for each px, where |b| < 2^25 and area is in square
+ * sub-pixels. */
+static uint64_t step_of(int32_t b, int64_t area)
+{
+    int64_t rest;
+    return (uint64_t)pel_divide_64(b * INT64_C(4294967296), area, &rest);
+}
+
+/* The axis that grows with x by `x` sub-pixels of the other one's, and is 0 at
+ * `from`. */
+static void set_axis(struct pel_icon_axis *axis, struct pel_point from,
+                     struct pel_point d, int64_t area)
+{
+    axis->x = step_of(d.y, area);
+    axis->y = step_of(-d.x, area);
+    const uint64_t at =
+        pel_times(axis->x, 128 - from.x) + pel_times(axis->y, 128 - from.y);
+    axis->at = (uint64_t)((int64_t)at >> 8);
+}
+
+/* u is (p - from) x b / (a x b), v is a x (p - from) / (a x b). */
+static bool make(struct pel_icon_paint *paint,
+                 const struct pel_icon_gradient *gradient,
+                 const struct pel_icon_shape *shape)
+{
+    struct pel_point p[3];
+    for (int i = 0; i < 3; i++)
+        if (!pel_transform_point(&shape->transform, gradient->frame[i].x,
+                                 gradient->frame[i].y, &p[i]))
+            return false;
+    struct pel_point a = {p[1].x - p[0].x, p[1].y - p[0].y};
+    struct pel_point b = {p[2].x - p[0].x, p[2].y - p[0].y};
+    int64_t area = pel_product(a.x, b.y) - pel_product(a.y, b.x);
+    if (area < 0) { /* the other way around, which only turns v */
+        b = (struct pel_point){-b.x, -b.y};
+        area = -area;
+    }
+    area = area ? area : 1;
+    paint->paint = (struct pel_paint)PEL_PAINT(fill, NULL);
+    paint->gradient = gradient;
+    paint->stop = &shape->icon->stop[gradient->stop];
+    set_axis(&paint->u, p[0], b, area);
+    set_axis(&paint->v, p[0], a, area);
+    return true;
+}
+
+const struct pel_icon_gradients pel_icon_gradients = {make};

@@ -1,0 +1,26 @@
+/* Icons: SVG files as assets for firmware, and drawn. */
+#ifndef SIM_ICON_ICON_H
+#define SIM_ICON_ICON_H
+
+#include "core/asset/icon_asset.h"
+#include "core/image/icon.h"
+#include "sim/image/picture.h"
+
+enum { ICON_SIZE_MAX = 4096 }; /* px of a picture */
+
+/* Reads an SVG file in a child process. Its lists are malloc'ed. False, with a
+ * message that says what it holds that pel does not draw, and in which line;
+ * the icon is then empty. */
+bool icon_load(struct pel_icon_asset *icon, const char *path);
+void icon_free(struct pel_icon_asset *icon);
+
+/* What draws all of it, smooth or not. */
+const struct pel_icon_kind *icon_kind(const struct pel_icon_asset *icon,
+                                      bool smooth);
+
+/* A picture whose longer side has `size` px, with alpha, smooth, as pel_icon
+ * draws it. False, with a message. */
+bool icon_picture(struct picture *picture, const struct pel_icon_asset *icon,
+                  int size);
+
+#endif
