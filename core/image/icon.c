@@ -26,7 +26,7 @@ void pel_icon_place(struct pel_icon_shape *shape, int32_t size, int32_t turn,
     const struct pel_icon_asset *const icon = shape->icon;
     const uint32_t side = (uint32_t)pel_max(icon->width, icon->height);
     shape->scale = pel_transform_scale(size, side);
-    shape->transform = pel_transform_turned(shape->scale, turn, at);
+    shape->transform = pel_transform_turned(shape->scale, turn, false, at);
     (void)pel_transform_point(&shape->transform, -(icon->width / 2),
                               -(icon->height / 2), &shape->transform.at);
 }

@@ -295,14 +295,11 @@ bool pel_hit_outline_text(const struct pel_outline_text_block *text, int32_t x,
     return h.inside;
 }
 
-/* The units of fonts grow upwards; an em is 256 of them at least. */
+/* An em is 256 units at least. */
 struct pel_transform pel_outline_transform(
     const struct pel_outline_font_asset *font, int32_t size, int32_t turn,
     struct pel_point at)
 {
-    struct pel_transform t =
-        pel_transform_turned(pel_transform_scale(size, font->em), turn, at);
-    t.xy = -t.xy;
-    t.yy = -t.yy;
-    return t;
+    return pel_transform_turned(pel_transform_scale(size, font->em), turn, true,
+                                at);
 }

@@ -17,15 +17,16 @@ static inline int32_t pel_transform_scale(int32_t size, uint32_t units)
     return (int32_t)((s / units << 16) + (s % units << 16) / units);
 }
 
-/* Turned clockwise about `at`: (cos, -sin; sin, cos) times scale / 2^31. */
+/* Turned clockwise about `at`, of units that grow upwards or not: (cos, -sin;
+ * sin, cos) times scale / 2^31. */
 static inline struct pel_transform pel_transform_turned(int32_t scale,
-                                                        int32_t turn,
+                                                        int32_t turn, bool up,
                                                         struct pel_point at)
 {
     const struct pel_point d = pel_direction((uint16_t)turn);
     const int32_t c = (int32_t)((pel_long_product(scale, d.x) + 16384) >> 15);
     const int32_t n = (int32_t)((pel_long_product(scale, d.y) + 16384) >> 15);
-    return (struct pel_transform){c, -n, n, c, at};
+    return (struct pel_transform){c, up ? n : -n, n, up ? -c : c, at};
 }
 
 /* The pixels of a box of units, and one more on each side; all where they are
