@@ -13,7 +13,7 @@ PEL_BEGIN_DECLS
 #define PEL_SMOOTH_PATH_SCRATCH_SIZE(sides, width) \
     (PEL_SMOOTH_POLYGON_SCRATCH_SIZE(sides, width) + 148 * sizeof(void *))
 
-/* The same outlines as their twins in path.h, painted by the part of each pixel
+/* The outlines of the same names in path.h, painted by the part of each pixel
  * that is inside, as pel_smooth_polygon does: within .5 + .02 k of 255, of k
  * pieces of the border in the pixel, and so where a stroke crosses itself
  * there, too. Errors are the same; PEL_ERROR_SCRATCH, too, where the memory is

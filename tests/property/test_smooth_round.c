@@ -268,8 +268,9 @@ TEST(clips)
     }
 }
 
-/* The picture of a mirrored disc is mirrored, and inside a window, where twins
- * of rows and columns are painted together, the same as through its parts. */
+/* The picture of a mirrored disc is mirrored, and inside a window, where rows
+ * and columns that mirror each other are painted together, the same as through
+ * its parts. */
 TEST(mirrors)
 {
     for (struct cases c = cases_of(20000); cases_next(&c);) {
