@@ -23,7 +23,8 @@ struct rows {
     pel_color colors[COLORS];
 };
 
-/* Without the pixels of 0 at both ends. */
+/* Without the pixels of 0 at both ends; a row without full pixels has no right
+ * ones. */
 static PEL_ALWAYS_INLINE void drop_zeros(struct pel_smooth_row *row)
 {
     const uint8_t *coverage = row->coverage;
@@ -32,8 +33,7 @@ static PEL_ALWAYS_INLINE void drop_zeros(struct pel_smooth_row *row)
         coverage++;
     for (; right > 0 && coverage[left + right - 1] == 0; right--)
         ;
-    for (; row->full + right == 0 && left > 0 && coverage[left - 1] == 0;
-         left--)
+    for (; row->full == 0 && left > 0 && coverage[left - 1] == 0; left--)
         ;
     row->left = left;
     row->right = right;
@@ -126,8 +126,6 @@ static PEL_NOINLINE_32 void take_colors(const struct pel_smooth *smooth,
         turn_over(r->span, r->n);
     }
     smooth->paint->fill(smooth->paint, &spans);
-    if (r->step < 0)
-        turn_over(r->span, r->n);
 }
 
 static void put_row(const struct pel_surface *target,

@@ -14,64 +14,87 @@ enum { SIDE = 80 };
 static struct canvas drawn, expected;
 static uint8_t grey[SIDE * SIDE];
 
-/* Of colors that are opaque, or have any alpha. */
+/* One color in every other row: the other pixels are not painted. */
+static void odd_rows_fill(const struct pel_paint *paint,
+                          const struct pel_spans *spans)
+{
+    struct pel_spans row = *spans;
+    row.n = 1;
+    for (int32_t i = 0; i < spans->n; i++, row.span++, row.y += row.step)
+        if (row.y & 1 && row.span->x0 < row.span->x1)
+            pel_flat_fill(paint, &row);
+}
+
+static union any_paint made;
+static pel_color colors[16];
+
+static void make_gradient(struct random *r)
+{
+    static const struct pel_ramp ramp = {colors, 3, PEL_REFLECT};
+    const struct pel_point from = {random_between(r, 0, 9999), PEL_PX(5)},
+                           to = {PEL_PX(9), random_between(r, 0, 9999)};
+    const struct pel_point below = {from.x, 19999 - to.y};
+    const struct pel_ramp mixed = {colors, 2, (enum pel_spread)(from.x % 3)};
+    const struct pel_rings rings = {to, 256 + from.x, 77};
+    switch (random_word(r) % 5) {
+    case 0:
+        pel_linear_init(&made.linear, from, to, &ramp);
+        break;
+    case 1:
+        pel_conic_init(&made.conic, from, 9, &ramp);
+        break;
+    case 2:
+        pel_linear_init(&made.linear, from, to, &mixed);
+        break;
+    case 3:
+        pel_linear_init(&made.linear, from, below, &mixed);
+        break;
+    default:
+        pel_radial_init(&made.radial, &rings, &mixed);
+    }
+}
+
+/* Of an opaque color at every pixel, or of any alpha. */
 static const struct pel_paint *make_paint(struct random *r, bool opaque)
 {
-    static union any_paint paint;
-    static pel_color colors[16];
-    static const struct pel_ramp ramp = {colors, 3, PEL_REFLECT};
     static const struct pel_point corners[3] = {PEL_AT(60, 5), PEL_AT(40, 70),
                                                 PEL_AT(5, 9)};
     static struct pel_fan_triangle memory[3];
     static const struct pel_texels texels = {NULL, colors, 4, 4, false};
     static const struct pel_texture_map map = PEL_TEXTURE_AT(3, 4);
-    const struct pel_point from = {random_between(r, 0, 9999), PEL_PX(5)},
-                           to = {PEL_PX(9), random_between(r, 0, 9999)};
-    const pel_color solid = opaque ? PEL_RGB(0, 0, 0) : 0;
+    static const struct pel_checker_fields fields = {3, 2, 1, 0};
+    static const struct pel_hatch_lines lines = {1, -1, 2, 5, 2};
     for (int i = 0; i < 16; i++)
-        colors[i] = random_word(r) | solid;
-    const struct pel_checker_fields fields = {3, 2, 1, 0};
-    const struct pel_hatch_lines lines = {1, -1, 2, 5, 2};
-    const struct pel_ramp mixed = {colors, 2, (enum pel_spread)(from.x % 3)};
-    const struct pel_rings rings = {to, 256 + from.x, 77};
+        colors[i] = random_word(r) | (opaque ? PEL_RGB(0, 0, 0) : 0);
     const struct pel_fan_points fan = {PEL_AT(35, 30), colors[3], corners,
                                        colors, 3};
-    switch (random_word(r) % 12) {
+    made.flat = (struct pel_flat)PEL_FLAT(colors[0]);
+    switch (random_word(r) % 11) {
     case 0:
-        pel_linear_init(&paint.linear, from, to, &ramp);
+        pel_texture_init_nearest(&made.texture, &texels, &map);
         break;
     case 1:
-        pel_conic_init(&paint.conic, from, 9, &ramp);
+        pel_texture_init_bilinear(&made.texture, &texels, &map);
         break;
     case 2:
-        pel_texture_init_nearest(&paint.texture, &texels, &map);
+        pel_checker_init(&made.checker, &fields, colors[0], colors[1]);
         break;
     case 3:
-        pel_texture_init_bilinear(&paint.texture, &texels, &map);
+        pel_hatch_init(&made.hatch, &lines, colors[0], colors[1]);
         break;
     case 4:
-        pel_checker_init(&paint.checker, &fields, colors[0], colors[1]);
+        pel_fan_init(&made.fan, &fan, memory);
         break;
     case 5:
-        pel_hatch_init(&paint.hatch, &lines, colors[0], colors[1]);
+        if (!opaque)
+            made.flat.paint.fill = odd_rows_fill;
         break;
     case 6:
-        pel_linear_init(&paint.linear, from, to, &mixed);
-        break;
-    case 7:
-        pel_linear_init(&paint.linear, from,
-                        (struct pel_point){from.x, 19999 - to.y}, &mixed);
-        break;
-    case 8:
-        pel_radial_init(&paint.radial, &rings, &mixed);
-        break;
-    case 9:
-        pel_fan_init(&paint.fan, &fan, memory);
         break;
     default:
-        paint.flat = (struct pel_flat)PEL_FLAT(colors[0]);
+        make_gradient(r);
     }
-    return &paint.paint;
+    return &made.paint;
 }
 
 static uint8_t random_coverage(struct random *r)
@@ -219,7 +242,25 @@ static void draw_pixels(const struct pel_smooth *smooth)
         }
 }
 
-/* In paints that look at the surface, of which a mask is no source. */
+/* The box of the pixels that are not 0. */
+static struct pel_rect box_of(const struct pel_surface *s)
+{
+    struct pel_rect box = {0, 0, 0, 0};
+    for (int32_t y = s->clip.y0; y < s->clip.y1; y++)
+        for (int32_t x = s->clip.x0; x < s->clip.x1; x++) {
+            if (pel_surface_line(s, y)[x - s->bounds.x0] == 0)
+                continue;
+            if (pel_rect_empty(&box))
+                box = (struct pel_rect){x, y, x + 1, y + 1};
+            box.x0 = pel_min(box.x0, x);
+            box.x1 = pel_max(box.x1, x + 1);
+            box.y1 = y + 1;
+        }
+    return box;
+}
+
+/* In paints that look at the surface, of which a mask is no source; and only
+ * pixels that are covered at all are asked for. */
 TEST(rows_are_their_pixels)
 {
     for (struct cases c = cases_of(15000); cases_next(&c);) {
@@ -235,6 +276,8 @@ TEST(rows_are_their_pixels)
         struct pel_dither dither;
         struct pel_blend blend;
         struct pel_smooth smooth;
+        struct pel_dirty dirty;
+        struct pel_surface mask;
         pel_dither_init(&dither, source);
         pel_blend_init(&blend, source,
                        (enum pel_blend_mode)(random_word(r) % 3));
@@ -243,10 +286,16 @@ TEST(rows_are_their_pixels)
         pel_surface_clip(&drawn.surface, &clip);
         pel_surface_clip(&expected.surface, &clip);
         memset(grey, 0, sizeof grey);
-        smooth.paint = dithers ? &dither.paint : &blend.paint;
-        assert_true(pel_smooth_begin(&smooth, &drawn.surface, smooth.paint));
+        const struct pel_paint *const paint =
+            dithers ? &dither.paint : &blend.paint;
+        pel_dirty_begin(&dirty, paint);
+        assert_true(pel_smooth_begin(&smooth, &drawn.surface, &dirty.paint));
         draw_batches(r, &smooth);
-        assert_true(pel_smooth_begin(&smooth, &expected.surface, smooth.paint));
+        pel_surface_init_rect(&mask, &pel_gray8, grey, SIDE, &bounds);
+        pel_surface_clip(&mask, &clip);
+        const struct pel_rect box = box_of(&mask);
+        assert_memory_equal(&dirty.box, &box, sizeof box);
+        assert_true(pel_smooth_begin(&smooth, &expected.surface, paint));
         draw_pixels(&smooth);
         canvas_check_same(&expected, &drawn);
         canvas_check(&drawn);
@@ -269,23 +318,6 @@ static void draw_any(const struct pel_surface *surface, uint32_t kind,
         assert_int_equal(pel_smooth_polygon(surface, &polygon, paint, scratch,
                                             sizeof scratch),
                          PEL_OK);
-}
-
-/* The box of the pixels that are not 0. */
-static struct pel_rect box_of(const struct pel_surface *s)
-{
-    struct pel_rect box = {0, 0, 0, 0};
-    for (int32_t y = s->clip.y0; y < s->clip.y1; y++)
-        for (int32_t x = s->clip.x0; x < s->clip.x1; x++) {
-            if (pel_surface_line(s, y)[x - s->bounds.x0] == 0)
-                continue;
-            if (pel_rect_empty(&box))
-                box = (struct pel_rect){x, y, x + 1, y + 1};
-            box.x0 = pel_min(box.x0, x);
-            box.x1 = pel_max(box.x1, x + 1);
-            box.y1 = y + 1;
-        }
-    return box;
 }
 
 /* With a format and without: the box of what is covered at all. */
