@@ -30,10 +30,10 @@ BEGIN {
     print "/* Pel in one file: see pel.h. Written by make amalgamation. */"
     print "#ifdef __OPTIMIZE_SIZE__\n#define PEL_INLINE PEL_ALWAYS_INLINE\n#endif"
     print "#include \"pel.h\"\n"
-    print "#define PEL_APART"
+    print "#define PEL_ONE_APART"
     print "#if !PEL_64BIT && defined(__has_attribute)"
-    print "#if __has_attribute(__noipa__)\n#undef PEL_APART"
-    print "#define PEL_APART __attribute__((__noipa__))\n#endif\n#endif"
+    print "#if __has_attribute(__noipa__)\n#undef PEL_ONE_APART"
+    print "#define PEL_ONE_APART __attribute__((__noipa__))\n#endif\n#endif"
     print "\n/* Functions that no caller is left of are no mistake here. */"
     print "#ifdef __clang__"
     print "#pragma clang diagnostic ignored \"-Wunused-function\"\n#endif\n"
@@ -180,7 +180,7 @@ function write(i, path,    folder, stem, n, k, line, comment, rest, at, part)
             continue
         }
         if (is_public(line, k))
-            rest = "PEL_APART " rest
+            rest = "PEL_ONE_APART " rest
         while ((at = index(rest, comment ? "*/" : "/*")) > 0) {
             part = substr(rest, 1, at + 1)
             printf "%s", comment ? part : renamed(i, stem, part)
