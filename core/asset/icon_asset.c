@@ -30,7 +30,8 @@ enum pel_status pel_icon_asset_check(const struct pel_icon_asset *icon)
     if (icon->magic != PEL_ICON_MAGIC || icon->version != PEL_ICON_VERSION)
         return PEL_ERROR_RANGE;
     return icon->width == 0 || icon->width > 32767 || icon->height == 0 ||
-                   icon->height > 32767 || !fits(icon)
+                   icon->height > 32767 || (icon->width | icon->height) < 256 ||
+                   !fits(icon)
                ? PEL_ERROR_SIZE
                : PEL_OK;
 }

@@ -66,7 +66,8 @@ struct pel_icon_asset {
     uint32_t magic;                   /* PEL_ICON_MAGIC */
     uint8_t version;                  /* PEL_ICON_VERSION */
     uint8_t strokes;                  /* are some parts strokes? 0 or 1 */
-    uint16_t width, height;           /* units of its box, 1..32,767 */
+    uint16_t width, height;           /* units of its box, 1..32,767,
+                                         the longer one 256 or more */
     int16_t left, top, right, bottom; /* units around all that is drawn */
     uint16_t parts, gradients, stops; /* counts */
     uint32_t verbs, points;

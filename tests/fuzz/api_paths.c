@@ -122,6 +122,104 @@ static void any_text(struct api *a, const struct pel_surface *surface,
     pel_hit_outline_text(&text, (int32_t)(how % 8), 3);
 }
 
+/* An icon of any bytes. */
+struct any_icon {
+    struct pel_icon_part part[2];
+    struct pel_icon_gradient gradient;
+    struct pel_icon_stop stop[2];
+    uint8_t verbs[VERBS];
+    int16_t points[2 * POINTS];
+    struct pel_icon_asset asset;
+};
+
+static struct pel_icon_part any_part(struct api *a)
+{
+    const uint32_t how = input_byte(&a->in);
+    struct pel_icon_part part = {.kind = (uint8_t)(how % 3),
+                                 .gradient =
+                                     how & 4 ? 0 : (uint8_t)(254 + (how >> 7)),
+                                 .cap = (uint8_t)(how >> 3 & 3),
+                                 .join = (uint8_t)(how >> 5 & 3)};
+    part.color = (pel_color)input_number(&a->in);
+    part.verbs = (uint16_t)input_below(&a->in, VERBS);
+    part.points = (uint16_t)input_below(&a->in, POINTS);
+    part.width = (uint16_t)input_word(&a->in);
+    part.miter_limit = (uint16_t)input_word(&a->in);
+    return part;
+}
+
+static void take_parts(struct api *a, struct any_icon *icon)
+{
+    struct pel_icon_gradient *const g = &icon->gradient;
+    for (int i = 0; i < 2; i++) {
+        icon->part[i] = any_part(a);
+        icon->stop[i].at = (uint16_t)input_word(&a->in);
+        icon->stop[i].color = (pel_color)input_number(&a->in);
+    }
+    for (int i = 0; i < 3; i++) {
+        g->frame[i].x = input_number(&a->in);
+        g->frame[i].y = input_number(&a->in);
+    }
+    g->focus = (uint16_t)input_word(&a->in);
+    g->radial = input_byte(&a->in) & 1;
+    g->spread = input_byte(&a->in) & 3;
+    g->stops = 2;
+    for (int i = 0; i < VERBS; i++)
+        icon->verbs[i] = (uint8_t)input_below(&a->in, PEL_CLOSE + 2);
+    for (int i = 0; i < 2 * POINTS; i++)
+        icon->points[i] = (int16_t)input_word(&a->in);
+}
+
+static void take_icon(struct api *a, struct any_icon *icon, uint32_t how)
+{
+    struct pel_icon_asset *const asset = &icon->asset;
+    *asset = (struct pel_icon_asset){.magic = PEL_ICON_MAGIC,
+                                     .version = PEL_ICON_VERSION,
+                                     .strokes = how & 1,
+                                     .right = 32767,
+                                     .bottom = 32767,
+                                     .parts = 2,
+                                     .gradients = 1,
+                                     .stops = 2,
+                                     .verbs = VERBS,
+                                     .points = POINTS,
+                                     .part = icon->part,
+                                     .gradient = &icon->gradient,
+                                     .stop = icon->stop,
+                                     .verb = icon->verbs,
+                                     .point = icon->points,
+                                     .painter = &pel_icon_gradients};
+    asset->width = (uint16_t)input_word(&a->in);
+    asset->height = (uint16_t)input_word(&a->in);
+    asset->left = (int16_t)(how & 2 ? 0x8000 : input_word(&a->in));
+    asset->top = (int16_t)(how & 2 ? 0x8000 : input_word(&a->in));
+}
+
+static void draw_icon(struct api *a, const struct pel_surface *surface,
+                      void *scratch, size_t size)
+{
+    static const struct pel_icon_kind *const kinds[2][2] = {
+        {&pel_icon_aliased, &pel_icon_aliased_strokes},
+        {&pel_icon_smooth, &pel_icon_smooth_strokes}};
+    const uint32_t how = input_byte(&a->in);
+    struct any_icon icon;
+    struct pel_icon_shape shape = {.icon = &icon.asset,
+                                   .kind = kinds[how >> 2 & 1][how & 1]};
+    take_parts(a, &icon);
+    take_icon(a, &icon, how);
+    shape.color = (pel_color)input_number(&a->in);
+    shape.tolerance = how & 8 ? input_number(&a->in) : 0;
+    if (pel_icon_asset_check(&icon.asset) != PEL_OK)
+        return;
+    pel_icon_place(&shape, (int32_t)(input_word(&a->in) & 0x7FFFFF),
+                   input_number(&a->in), api_point(a));
+    if (how & 16) {
+        shape.transform.xy = input_number(&a->in);
+        shape.scale = input_number(&a->in);
+    }
+    pel_icon(surface, &shape, scratch, size);
+}
+
 void api_path(struct api *a, const struct pel_surface *surface,
               const struct pel_paint *paint)
 {
@@ -129,6 +227,10 @@ void api_path(struct api *a, const struct pel_surface *surface,
     const uint32_t kind = input_byte(&a->in);
     const size_t size = input_word(&a->in) % (MEMORY + 1);
     struct any_path p;
+    if ((kind & 48) == 48) {
+        draw_icon(a, surface, scratch, size);
+        return;
+    }
     if (kind & 8) {
         any_text(a, surface, paint, scratch, size);
         return;

@@ -322,6 +322,9 @@ TEST(wrong_icons_are_refused)
     asset.version++;
     assert_int_equal(pel_icon_asset_check(&asset), PEL_ERROR_RANGE);
     asset = any.asset;
+    asset.width = asset.height = 255;
+    assert_int_equal(pel_icon_asset_check(&asset), PEL_ERROR_SIZE);
+    asset = any.asset;
     asset.verbs--;
     assert_int_equal(pel_icon_asset_check(&asset), PEL_ERROR_SIZE);
     asset = any.asset;
