@@ -214,10 +214,10 @@ enum pel_status pel_stroke_fill(const struct pel_surface *surface,
 
 bool pel_stroke_hit(const struct pel_lines *lines, int32_t x, int32_t y)
 {
-    const struct pel_rect pixel = {x, y, x + 1, y + 1};
     uint64_t memory[PEL_STROKE_SCRATCH_SIZE(1, 1) / 8 + 1];
     if (!pel_pixel_legal(x, y))
         return false;
+    const struct pel_rect pixel = {x, y, x + 1, y + 1};
     struct bits *const b = begin(memory, &pixel, 1);
     return next_rows(b, &pixel) &&
            pel_stroke_walk(lines, &b->sides) == PEL_OK && *b->bits;
