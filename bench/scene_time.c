@@ -7,6 +7,8 @@
 
 #include "bench/lighting.h"
 #include "core/format/formats.h"
+#include "core/scene/depth.h"
+#include "core/scene/mapping.h"
 #include "method.h"
 #include "scene_osmesa.h"
 

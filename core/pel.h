@@ -99,8 +99,11 @@
 #include "asset/runs_asset.h"
 
 #include "scene/certificate.h"
+#include "scene/mapping.h"
+#include "scene/perspective.h"
 #include "scene/pipeline.h"
 #include "scene/select.h"
 #include "scene/stats.h"
+#include "scene/work.h"
 
 #endif

@@ -3,6 +3,7 @@
 #define PEL_SCENE_CERTIFICATE_PAIR_H
 
 #include "certificate.h"
+#include "work.h"
 
 /* A triangle of the mesh as it is on screen; `at` is right unless it is cut. */
 struct pel_certificate_corners {

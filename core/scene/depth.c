@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "pipeline.h"
+#include "work.h"
 
 size_t pel_depth_size(const struct pel_rect *bounds, int bits)
 {

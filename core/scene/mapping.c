@@ -1,4 +1,4 @@
-#include "shading.h"
+#include "work.h"
 
 /* u (k = 0) or v (1) of a vertex, 1/65,536 texel. The numerator times the
  * texels of a side is below 2^46. */
@@ -7,7 +7,7 @@ static int64_t texel_of(const struct pel_frame *frame, uint32_t vertex, int k)
     const struct pel_mesh *mesh = frame->scene->mesh;
     const int64_t v = pel_long_product(
         pel_quantization_value(&mesh->texture, k, mesh->uv[vertex][k]),
-        k ? frame->texture.height : frame->texture.width);
+        k ? frame->work->texture.height : frame->work->texture.width);
     return pel_scale_down(v, mesh->texture.shift - 16);
 }
 
@@ -52,7 +52,7 @@ const struct pel_paint *pel_frame_modulate(
 
 static pel_color vertex_color(const struct pel_frame *frame, uint32_t vertex)
 {
-    struct pel_texture t = frame->texture;
+    struct pel_texture t = frame->work->texture;
     pel_color color;
     for (int k = 0; k < 2; k++) {
         struct pel_plane *plane = k ? &t.map.v : &t.map.u;
@@ -68,7 +68,7 @@ const struct pel_mapping pel_map_vertices = {vertex_color, NULL, NULL};
 const struct pel_color_paint *pel_frame_affine(struct pel_frame *frame)
 {
     const struct pel_frame_triangle *t = &frame->work->triangle;
-    struct pel_texture *p = &frame->texture;
+    struct pel_texture *p = &frame->work->texture;
     for (int k = 0; k < 2; k++) {
         int32_t value[3], corner[3];
         for (int i = 0; i < 3; i++)
@@ -89,8 +89,8 @@ static const struct pel_color_paint *perspective(struct pel_frame *frame)
     struct pel_perspective *p = &frame->work->perspective;
     struct pel_texture_corner corner[3];
     pel_frame_texels(frame, corner);
-    pel_perspective_init(p, &frame->texture, pel_frame_setup(frame), corner,
-                         frame->mesh_texture->span);
+    pel_perspective_init(p, &frame->work->texture, pel_frame_setup(frame),
+                         corner, frame->mesh_texture->span);
     return &p->base;
 }
 

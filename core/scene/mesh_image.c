@@ -1,5 +1,5 @@
 #include "../asset/image_asset.h"
-#include "shading.h"
+#include "work.h"
 
 enum pel_status pel_mesh_texture_of_image(struct pel_mesh_texture *texture,
                                           struct pel_surface *surface,

@@ -1,4 +1,4 @@
-#include "shading.h"
+#include "work.h"
 
 /* True when all numbers of uv mean points within 2^22 texels: they are below
  * 2^31, and less than 2^21 texels a whole number of pictures away. */
@@ -16,23 +16,22 @@ static bool uv_legal(const struct pel_quantization *q, int32_t texels)
 static enum pel_status set_texture(struct pel_frame *frame)
 {
     const struct pel_mesh_texture *t = frame->mesh_texture;
+    struct pel_texture *p = &frame->work->texture;
     if (!t->mapping || !t->sampler || !frame->scene->mesh->uv)
         return PEL_ERROR_NULL;
     if ((uint32_t)t->span > PEL_SPAN_MAX || (t->span & (t->span - 1)))
         return PEL_ERROR_RANGE;
-    const enum pel_status status =
-        t->sampler(&frame->texture, &t->texels, &frame->texture.map);
-    frame->texture.wrap_u = (uint8_t)t->wrap_u;
-    frame->texture.wrap_v = (uint8_t)t->wrap_v;
+    const enum pel_status status = t->sampler(p, &t->texels, &p->map);
+    p->wrap_u = (uint8_t)t->wrap_u;
+    p->wrap_v = (uint8_t)t->wrap_v;
     if (status != PEL_OK)
         return status;
-    if (!uv_legal(&frame->scene->mesh->texture,
-                  frame->texture.width | frame->texture.height))
+    if (!uv_legal(&frame->scene->mesh->texture, p->width | p->height))
         return PEL_ERROR_RANGE;
-    if (!t->mapping->surface || frame->texture.base.opaque)
+    if (!t->mapping->surface || p->base.opaque)
         return PEL_OK;
     if (t->alpha)
-        t->alpha(&frame->texture);
+        t->alpha(p);
     else
         frame->solid = false;
     frame->opaque = false;

@@ -1,4 +1,23 @@
-#include "shading.h"
+#include "perspective.h"
+
+#include "work.h"
+
+/* A triangle whose values from `first` on are divided: a paint that sets the
+ * values of `shaded` to those at hand, and `out` to the surface's colors, and
+ * calls its function. It follows frame->work[0]. */
+struct pel_divided_triangle {
+    struct pel_color_paint base;
+    struct pel_shaded *shaded;
+    const struct pel_color_paint *surface; /* or NULL */
+    struct pel_divided by;
+    uint8_t first;
+    struct pel_divided_value value[PEL_VALUES];
+};
+
+typedef char pel_perspective_size[sizeof(struct pel_divided_triangle) <=
+                                          PEL_PERSPECTIVE_SCRATCH_SIZE
+                                      ? 1
+                                      : -1];
 
 enum { SPAN = 8 };
 

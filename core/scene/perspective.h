@@ -2,24 +2,9 @@
 #ifndef PEL_SCENE_PERSPECTIVE_H
 #define PEL_SCENE_PERSPECTIVE_H
 
-#include "divided.h"
-#include "shaded.h"
+#include "shading.h"
 
 PEL_BEGIN_DECLS
-
-struct pel_shading;
-
-/* A triangle whose values from `first` on are divided: a paint that sets the
- * values of `shaded` to those at hand, and `out` to the surface's colors, and
- * calls its function. It follows frame->work[0]. */
-struct pel_divided_triangle {
-    struct pel_color_paint base;
-    struct pel_shaded *shaded;
-    const struct pel_color_paint *surface; /* or NULL */
-    struct pel_divided by;
-    uint8_t first;
-    struct pel_divided_value value[PEL_VALUES];
-};
 
 /* Where values lie between vertices: their paints of colors at the vertices and
  * of light at pixels, and what these may be off by, 1/256 step. */
@@ -39,7 +24,7 @@ extern const struct pel_interpolation pel_in_world;
 /* Bytes of scratch memory that the shadings below take besides
  * PEL_SCENE_SCRATCH_SIZE. */
 #define PEL_PERSPECTIVE_SCRATCH_SIZE \
-    ((sizeof(struct pel_divided_triangle) + 7) & ~PEL_CAST(size_t, 7))
+    PEL_CAST(size_t, sizeof(void *) > 4 ? 464 : 440)
 
 /* Shadings of shading.h with colors, normals and positions as
  * they are in the world: pel_shade_gouraud, ... */

@@ -1,4 +1,4 @@
-#include "shading.h"
+#include "work.h"
 
 struct pel_shaded *pel_phong_start(struct pel_frame *frame,
                                    const struct pel_color_paint *surface)

@@ -33,14 +33,16 @@
 
 PEL_BEGIN_DECLS
 
+struct pel_depth;
+
 /* Bytes of scratch memory for a frame of the scene: 16 a vertex, 8 a triangle,
- * 40 a light, and 1,300 to 1,500; for constant expressions, without a sort or a
- * shading that needs more (PEL_PERSPECTIVE_SCRATCH_SIZE), and as a function: 0
- * without a mesh. */
-#define PEL_SCENE_SCRATCH_SIZE(vertices, triangles, lights)         \
-    (((sizeof(struct pel_frame_work) + 7) & ~PEL_CAST(size_t, 7)) + \
-     PEL_CAST(size_t, lights) * sizeof(struct pel_mesh_light) +     \
-     PEL_CAST(size_t, vertices) * sizeof(struct pel_frame_vertex) + \
+ * 40 a light, and 1,408, or 1,600 on 64-bit CPUs; for constant expressions,
+ * without a sort or a shading that needs more (PEL_PERSPECTIVE_SCRATCH_SIZE),
+ * and as a function: 0 without a mesh. */
+#define PEL_SCENE_SCRATCH_SIZE(vertices, triangles, lights)     \
+    (PEL_CAST(size_t, sizeof(void *) > 4 ? 1600 : 1408) +       \
+     PEL_CAST(size_t, lights) * sizeof(struct pel_mesh_light) + \
+     PEL_CAST(size_t, vertices) * 16 +                          \
      PEL_CAST(size_t, triangles) * sizeof(struct pel_depth_entry))
 size_t pel_scene_scratch_size(const struct pel_scene *scene);
 
@@ -48,7 +50,7 @@ size_t pel_scene_scratch_size(const struct pel_scene *scene);
  * frame points to the scene and to the scratch memory, which is aligned to 8
  * bytes. PEL_ERROR_NULL: no scene, mesh, shading, scratch; or no lighting,
  * normals, uv, mapping or sampler where they are needed; PEL_ERROR_SCRATCH;
- * PEL_ERROR_RANGE: uv or span of a texture (shading.h), or its number in a
+ * PEL_ERROR_RANGE: uv or span of a texture (mapping.h), or its number in a
  * part; errors of pel_mesh_check, pel_projector_init, pel_mesh_lights_init and
  * the sampler. frame->fault tells the triangle and index, or the part. After an
  * error a frame draws nothing. */

@@ -54,7 +54,7 @@ struct pel_scene {
 
     const struct pel_shading *shading;   /* shading.h */
     const struct pel_lighting *lighting; /* light.h; for shadings with light */
-    const struct pel_mesh_texture *texture; /* shading.h; NULL: no texture */
+    const struct pel_mesh_texture *texture; /* mapping.h; NULL: no texture */
     uint32_t textures;    /* in that array, 0 as 1; parts name them by number,
                              from 1 on */
     pel_color color;      /* of a mesh without colors and parts, as if its

@@ -4,7 +4,7 @@
 #ifndef PEL_SCENE_SELECT_H
 #define PEL_SCENE_SELECT_H
 
-#include "shading.h"
+#include "mapping.h"
 
 PEL_BEGIN_DECLS
 

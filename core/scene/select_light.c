@@ -1,6 +1,7 @@
 #include "select_light.h"
 
 #include "../base/sqrt.h"
+#include "work.h"
 
 /* 2^-n is the unit of |R - V|: 31 of them reach where w^p is below 2^-40 or so,
  * for a shininess p of 16 on, or 2. */

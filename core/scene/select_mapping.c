@@ -1,5 +1,6 @@
 #include "../base/divide.h"
 #include "select.h"
+#include "work.h"
 
 /* 1/256 texel: what corners in 1/256 texel and the exact mapping are off by. */
 enum { MAPPING_ERROR = 3 };
@@ -59,7 +60,7 @@ static const struct pel_color_paint *surface(struct pel_frame *frame)
     const int32_t far = pel_max(pel_max(c[0].z, c[1].z), c[2].z);
     if (room > 0 && is_affine(c, near, far, room))
         return pel_frame_affine(frame);
-    pel_perspective_init(p, &frame->texture, pel_frame_setup(frame), c,
+    pel_perspective_init(p, &frame->work->texture, pel_frame_setup(frame), c,
                          room > 0 ? PEL_SPAN_MAX : PEL_SPAN_EXACT);
     /* The least w is near / far. */
     const uint64_t least =

@@ -1,6 +1,8 @@
 #include "../base/divide.h"
+#include "perspective.h"
 #include "select.h"
 #include "select_light.h"
+#include "work.h"
 
 /* Colors of vertices are rounded, by up to 1/2 step, and planes of them are
  * right to 1/64; a texture's factors are rounded once more. */

@@ -10,15 +10,6 @@
 
 PEL_BEGIN_DECLS
 
-struct pel_frame;
-
-/* Makes the paint of frame->work->triangle, whose vertices have these colors.
- * `surface` is a texture that is mapped to every pixel, or NULL; where it is
- * not opaque, the paint is a struct pel_color_paint too. */
-typedef const struct pel_paint *pel_shade_function(
-    struct pel_frame *frame, const struct pel_color_paint *surface,
-    const pel_color color[3]);
-
 /* The values at vertices and pixels, behind those that light is computed from
  * (light.h): blue, green, red, in steps. */
 enum { PEL_AT_COLOR = PEL_LIGHT_VALUES, PEL_VALUES = PEL_AT_COLOR + 3 };

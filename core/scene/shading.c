@@ -1,4 +1,4 @@
-#include "shading.h"
+#include "work.h"
 
 void pel_corners_mix(const struct pel_frame_triangle *triangle,
                      const int32_t vertex[3], int32_t corner[3])

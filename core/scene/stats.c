@@ -1,6 +1,7 @@
 #include "stats.h"
 
 #include "select_light.h"
+#include "work.h"
 
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {

@@ -2,6 +2,7 @@
 
 #include "core/format/argb8888.h"
 #include "core/scene/pipeline.h"
+#include "core/scene/perspective.h"
 #include "sim/asset/measure.h"
 #include "sim/asset/report.h"
 #include "sim/asset/text.h"

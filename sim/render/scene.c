@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "core/scene/select_light.h"
+#include "core/scene/perspective.h"
+#include "core/scene/work.h"
 #include "sim/cli/message.h"
 
 const struct scene_settings scene_default = {

@@ -6,6 +6,7 @@
 
 #include "core/scene/select.h"
 #include "core/scene/shading.h"
+#include "core/scene/work.h"
 
 enum { LEVELS = 65536 }; /* of light: 0 to 1 */
 
@@ -80,9 +81,9 @@ static const struct pel_color_paint *shining(
         scene->model->texture[frame->mesh_texture - scene->texture].glow.pixels;
     if (!glow)
         return NULL;
-    p->glow = frame->texture;
+    p->glow = frame->work->texture;
     p->glow.memory = (const uint8_t *)glow;
-    if (texture == &frame->texture.base)
+    if (texture == &frame->work->texture.base)
         return &p->glow.base;
     p->perspective = frame->work->perspective;
     p->perspective.texture = &p->glow;

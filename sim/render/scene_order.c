@@ -3,6 +3,8 @@
 #include <stdlib.h>
 
 #include "sim/cli/message.h"
+#include "core/scene/perspective.h"
+#include "core/scene/work.h"
 
 /* Measured (docs/MEASUREMENTS.md): with fewer pixels to a triangle the proof
  * takes longer than depths; a step of it takes as long as 16 pixels. */
@@ -63,8 +65,8 @@ bool scene_draw(const struct scene *scene, const struct pel_surface *surface)
     struct pel_frame frame = scene->frame;
     struct {
         struct pel_frame_work of_all;
-        struct pel_divided_triangle in_world; /* memory of the shading */
-    } work;
+        uint64_t in_world[PEL_PERSPECTIVE_SCRATCH_SIZE / 8];
+    } work = {.of_all = *frame.work};
     const struct pel_rect *part =
         scene->is_proven ? &scene->doubt.bounds : &scene->core.viewport;
     const struct pel_rect bounds = pel_rect_intersect(&surface->clip, part);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "sim/cli/list.h"
+#include "core/scene/work.h"
 
 struct projection {
     const struct scene *scene;

@@ -4,6 +4,7 @@
 #define TESTS_LINK_SCENE_H
 
 #include "core/scene/pipeline.h"
+#include "core/scene/mapping.h"
 #include "screen.h"
 
 static const int16_t positions[4][3] = {

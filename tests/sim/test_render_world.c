@@ -5,6 +5,7 @@
 
 #include "core/format/formats.h"
 #include "core/scene/perspective.h"
+#include "core/scene/work.h"
 #include "files.h"
 #include "sim/render/scene.h"
 #include "tests/support/reference_scene.h"

@@ -5,6 +5,7 @@
 #define TESTS_SUPPORT_REFERENCE_SCENE_H
 
 #include "core/scene/pipeline.h"
+#include "core/scene/mapping.h"
 #include "paint_math.h"
 
 /* The place of a vertex in the world, and its normal there, as long as it is.
