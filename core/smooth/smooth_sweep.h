@@ -33,6 +33,7 @@ struct pel_smooth_sweep {
     int32_t mask;    /* of the winding number: 1 even-odd, -1 non-zero */
     int32_t y0, y1;  /* rows that are drawn */
     int32_t lo, end; /* px that `sum` is not 0 in */
+    int32_t area;    /* of the pixel up to which it has been taken */
 };
 
 /* After pel_smooth_begin of w->smooth: in scratch memory for the edges and the

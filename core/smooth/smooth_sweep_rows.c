@@ -1,6 +1,8 @@
 /* The rows of a sweep: which edges cross them, and their pixels. */
-#include "smooth_part.h"
 #include "smooth_sweep.h"
+
+/* That are painted at a time, beside full ones. */
+enum { PIXELS = PEL_64BIT ? 64 : PEL_SMALL_CODE ? 8 : 16 };
 
 /* False: it touches no row, or has no height. Edges right of the clip are kept:
  * they cut rows where they end and where they cross others, and so areas left
@@ -71,25 +73,66 @@ static int32_t take_sum(int32_t *sum)
     return value;
 }
 
-/* Where no right border lies inside the clip the row goes on to its end. */
-static PEL_NOINLINE_32 void paint_row(struct pel_smooth_sweep *w, int32_t y)
+static int32_t coverage_of(int32_t area)
+{
+    return pel_max(0, pel_min(area >> 22, 255));
+}
+
+/* Is there more of the row from x on? Where no right border lies inside the
+ * clip it goes on to the clip's end. */
+static inline bool has_more(const struct pel_smooth_sweep *w, int32_t x)
+{
+    return x < w->smooth.target->clip.x1 &&
+           (x < w->end || coverage_of(w->area) > 0);
+}
+
+/* Where the sums behind pixel x end that are 0. */
+static int32_t end_of_run(const struct pel_smooth_sweep *w, int32_t x)
 {
     const struct pel_rect *const clip = &w->smooth.target->clip;
-    struct pel_smooth_part part;
-    struct pel_span run = {w->lo, w->lo};
-    int32_t area = 1 << 21, coverage = 0;
-    pel_smooth_part_begin(&part, run.x0, y);
-    for (; run.x0 < clip->x1 && (run.x0 < w->end || coverage > 0);
-         run.x0 = run.x1) {
-        int32_t *const sum = &w->sum[run.x0 - clip->x0];
-        area += take_sum(sum);
-        coverage = pel_max(0, pel_min(area >> 22, 255));
-        const int32_t left = pel_min(w->end, clip->x1) - run.x0 - 1;
-        run.x1 = left < 0 ? clip->x1 : run.x0 + 1 + zeros(sum + 1, left);
-        pel_smooth_collect(&w->smooth, &part, &run, coverage);
+    const int32_t left = pel_min(w->end, clip->x1) - x - 1;
+    return left < 0 ? clip->x1 : x + 1 + zeros(&w->sum[x - clip->x0 + 1], left);
+}
+
+/* Pixels from row->x on, up to the next empty ones or others behind full ones,
+ * or as many as there is room for: where the next ones begin. */
+static PEL_NOINLINE_32 int32_t find_pixels(struct pel_smooth_sweep *w,
+                                           struct pel_smooth_row *row,
+                                           uint8_t *to)
+{
+    const int32_t x0 = w->smooth.target->clip.x0;
+    int32_t x = row->x;
+    row->left = row->full = 0;
+    while (has_more(w, x)) {
+        w->area += take_sum(&w->sum[x - x0]);
+        const int32_t coverage = coverage_of(w->area), end = end_of_run(w, x);
+        if (coverage == 0)
+            return end;
+        if (coverage < 255 && (row->full > 0 || row->left == PIXELS))
+            return x;
+        if (coverage == 255)
+            row->full += end - x;
+        for (; coverage < 255 && x < end && row->left < PIXELS; x++)
+            to[row->left++] = (uint8_t)coverage;
+        x = coverage < 255 ? x : end;
     }
-    w->sum[run.x0 - clip->x0] = 0;
-    pel_smooth_flush(&w->smooth, &part, run.x0);
+    return x;
+}
+
+static PEL_NOINLINE_32 void paint_row(struct pel_smooth_sweep *w, int32_t y)
+{
+    uint8_t coverage[PIXELS];
+    struct pel_smooth_row row;
+    int32_t next;
+    row.y = y;
+    row.right = 0;
+    row.coverage = coverage;
+    w->area = 1 << 21;
+    for (row.x = w->lo; has_more(w, row.x); row.x = next) {
+        next = find_pixels(w, &row, coverage);
+        pel_smooth_paint(&w->smooth, &row);
+    }
+    w->sum[row.x - w->smooth.target->clip.x0] = 0;
 }
 
 /* Edges that begin above the row's end become active. */
