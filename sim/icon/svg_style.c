@@ -216,4 +216,6 @@ bool svg_each_property(struct reader *r, const char **list, void *to,
         each_of_style(r, style, to, set);
     return !r->bad;
 }
+#else
+typedef int svg_style_is_empty;
 #endif
