@@ -15,7 +15,8 @@ static int clamp(int v, int high)
 
 struct box shape_box(const struct workload *w, const struct shape *s)
 {
-    const bool is_round = w->form == FORM_CIRCLE || w->form == FORM_GEAR;
+    const bool is_round = w->form == FORM_CIRCLE || w->form == FORM_GEAR ||
+                          w->form == FORM_STROKE;
     const int around = MARGIN + (is_round ? w->size : 0);
     struct box b = {w->width, w->height, 0, 0};
     for (int k = 0; k < workload_vertices(w); k++) {

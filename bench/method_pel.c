@@ -22,7 +22,7 @@ struct job {
     struct item *item;
     int32_t radius; /* 1/256 px */
     void (*draw)(const struct job *job, const struct item *item, int n);
-    void *scratch; /* of polygons */
+    void *scratch; /* of polygons and strokes */
     size_t scratch_size;
     union {
         struct pel_paint paint; /* the first member of all */
@@ -39,6 +39,9 @@ struct job {
     enum paint copy;
     const struct offset *gear;
     uint8_t wrap; /* of the texture */
+    enum pel_status (*stroke)(const struct pel_surface *,
+                              const struct pel_polyline_shape *,
+                              const struct pel_paint *, void *, size_t);
 };
 
 static void draw_triangles(const struct job *job, const struct item *item,
@@ -150,15 +153,22 @@ static void draw_hits(const struct job *job, const struct item *item, int n)
     }
 }
 
+/* Polygons, or strokes along them. */
 static void draw_gears(const struct job *job, const struct item *item, int n)
 {
     struct pel_point v[GEAR_SIDES];
     const struct pel_polygon_shape outline = {v, GEAR_SIDES, PEL_NON_ZERO};
+    const struct pel_polyline_shape line = {
+        v, GEAR_SIDES, true, {PEL_PX(STROKE_WIDTH), .join = PEL_JOIN_ROUND}};
     for (; n > 0; n--, item++) {
         const struct pel_flat flat = PEL_FLAT(item->color[0]);
         set_gear(v, job, item->v[0]);
-        pel_smooth_polygon(&job->surface, &outline, &flat.paint, job->scratch,
-                           job->scratch_size);
+        if (job->stroke)
+            job->stroke(&job->surface, &line, &flat.paint, job->scratch,
+                        job->scratch_size);
+        else
+            pel_smooth_polygon(&job->surface, &outline, &flat.paint,
+                               job->scratch, job->scratch_size);
     }
 }
 
@@ -228,6 +238,7 @@ static void (*draw_of(const struct workload *w))(const struct job *,
     case FORM_CIRCLE:
         return w->paint == PAINT_SMOOTH ? draw_smooth_circles : draw_circles;
     case FORM_GEAR:
+    case FORM_STROKE:
         return w->paint == PAINT_HITS ? draw_hits : draw_gears;
     case FORM_POLYGON:
         return draw_polygons;
@@ -260,10 +271,10 @@ static void (*draw_of(const struct workload *w))(const struct job *,
 static struct item item_of(const struct workload *w, const struct shape *s)
 {
     struct item item;
-    const int32_t half =
-        w->form == FORM_CIRCLE || w->form == FORM_LINE || w->form == FORM_GEAR
-            ? 128
-            : 0;
+    const int32_t half = w->form == FORM_CIRCLE || w->form == FORM_LINE ||
+                                 w->form == FORM_GEAR || w->form == FORM_STROKE
+                             ? 128
+                             : 0;
     const uint32_t alpha = w->paint == PAINT_ALPHA ? WORKLOAD_ALPHA : 255;
     for (int k = 0; k < SHAPE_VERTICES; k++) {
         item.v[k].x = PEL_PX(s->x[k]) + half;
@@ -361,10 +372,10 @@ static void *open_job(const struct workload *w, const struct canvas *c)
     job->radius = PEL_PX(w->size);
     job->draw = draw_of(w);
     job->gear = workload_gear(w);
-    job->scratch_size =
-        w->form == FORM_GEAR
-            ? PEL_SMOOTH_POLYGON_SCRATCH_SIZE(GEAR_SIDES, w->width)
-            : pel_polygon_scratch_size(SHAPE_VERTICES);
+    if (w->form == FORM_STROKE)
+        job->stroke =
+            w->paint == PAINT_SMOOTH ? pel_smooth_polyline : pel_polyline;
+    job->scratch_size = PEL_SMOOTH_PATH_SCRATCH_SIZE(8 * GEAR_SIDES, w->width);
     job->scratch = method_allocate(1, job->scratch_size);
     return job;
 }

@@ -1,9 +1,11 @@
 /* AGG 2.4 with hard edges: its rasteriser with coverage cut at one half, runs
  * of whole pixels; smooth shapes with its coverage; its span generators for
  * gradients, Gouraud and textures. */
+#include <agg_conv_stroke.h>
 #include <agg_ellipse.h>
 #include <agg_gamma_functions.h>
 #include <agg_image_accessors.h>
+#include <agg_path_storage.h>
 #include <agg_pixfmt_rgb_packed.h>
 #include <agg_pixfmt_rgba.h>
 #include <agg_rasterizer_scanline_aa.h>
@@ -117,6 +119,24 @@ static void fill_texture(struct job *job, Base &base, const struct shape *s)
     }
 }
 
+static void set_stroke(struct job *job, const struct shape *s)
+{
+    agg::path_storage path;
+    for (int k = 0; k < GEAR_SIDES; k++) {
+        const double x = s->x[0] + .5 + job->gear[k].x / 256.;
+        const double y = s->y[0] + .5 + job->gear[k].y / 256.;
+        if (k == 0)
+            path.move_to(x, y);
+        else
+            path.line_to(x, y);
+    }
+    path.close_polygon();
+    agg::conv_stroke<agg::path_storage> stroke(path);
+    stroke.width(STROKE_WIDTH);
+    stroke.line_join(agg::round_join);
+    job->rasterizer.add_path(stroke);
+}
+
 static void set_outline(struct job *job, const struct shape *s)
 {
     const struct workload *w = job->workload;
@@ -129,6 +149,8 @@ static void set_outline(struct job *job, const struct shape *s)
     } else if (w->form == FORM_CIRCLE) {
         agg::ellipse disc(s->x[0] + .5, s->y[0] + .5, w->size, w->size);
         job->rasterizer.add_path(disc);
+    } else if (w->form == FORM_STROKE) {
+        set_stroke(job, s);
     } else if (w->form == FORM_GEAR) {
         job->rasterizer.move_to_d(s->x[0] + .5 + job->gear[0].x / 256.,
                                   s->y[0] + .5 + job->gear[0].y / 256.);

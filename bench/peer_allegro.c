@@ -198,8 +198,8 @@ static BITMAP *texture_of(const struct workload *w, int depth)
 /* No gradients but Gouraud's, and no bilinear textures. */
 static bool can_draw(const struct workload *w)
 {
-    return w->form != FORM_ROUNDED && w->paint != PAINT_BILINEAR &&
-           w->paint < PAINT_SMOOTH &&
+    return w->form != FORM_ROUNDED && w->form != FORM_STROKE &&
+           w->paint != PAINT_BILINEAR && w->paint < PAINT_SMOOTH &&
            (w->form != FORM_SCREEN || w->paint == PAINT_FLAT);
 }
 

@@ -80,7 +80,8 @@ static void *open_job(const struct workload *w, const struct canvas *c)
     if (w->paint != PAINT_SMOOTH)
         cairo_set_antialias(job->cairo, CAIRO_ANTIALIAS_NONE);
     job->gear = workload_gear(w);
-    cairo_set_line_width(job->cairo, 1);
+    cairo_set_line_width(job->cairo, w->form == FORM_STROKE ? STROKE_WIDTH : 1);
+    cairo_set_line_join(job->cairo, CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_cap(job->cairo, CAIRO_LINE_CAP_SQUARE);
     if (w->form == FORM_SCREEN && w->paint != PAINT_FLAT) {
         job->pattern = gradient_of(w);
@@ -109,12 +110,13 @@ static void draw_outline(cairo_t *cairo, const struct shape *s, int n)
 }
 
 static void draw_gear(cairo_t *cairo, const struct shape *s,
-                      const struct offset *gear)
+                      const struct offset *gear, bool is_stroke)
 {
     for (int k = 0; k < GEAR_SIDES; k++)
         cairo_line_to(cairo, s->x[0] + .5 + gear[k].x / 256.,
                       s->y[0] + .5 + gear[k].y / 256.);
-    cairo_fill(cairo);
+    cairo_close_path(cairo);
+    (is_stroke ? cairo_stroke : cairo_fill)(cairo);
 }
 
 static void draw_line(cairo_t *cairo, const struct shape *s)
@@ -146,8 +148,8 @@ static void draw(void *data, int first, int n)
             draw_box(job->cairo, s, w->form == FORM_ROUNDED);
         else if (w->form == FORM_CIRCLE)
             draw_circle(job->cairo, s, w->size);
-        else if (w->form == FORM_GEAR)
-            draw_gear(job->cairo, s, job->gear);
+        else if (w->form == FORM_GEAR || w->form == FORM_STROKE)
+            draw_gear(job->cairo, s, job->gear, w->form == FORM_STROKE);
         else if (w->form == FORM_LINE)
             draw_line(job->cairo, s);
         else

@@ -97,7 +97,7 @@ static void set_outline(struct job *job, const struct shape *s)
 
 static void *open_job(const struct workload *w, const struct canvas *c)
 {
-    if (w->paint != PAINT_SMOOTH)
+    if (w->paint != PAINT_SMOOTH || w->form == FORM_STROKE)
         return NULL;
     struct job *job = method_allocate(1, sizeof *job);
     const int points = w->form == FORM_CIRCLE ? CIRCLE_POINTS

@@ -148,7 +148,11 @@ static void draw_shape(QPainter *painter, const struct workload *w,
                           item->brush);
         return;
     }
-    painter->setBrush(item->brush);
+    if (w->form == FORM_STROKE)
+        painter->setPen(QPen(item->brush, STROKE_WIDTH, Qt::SolidLine,
+                             Qt::FlatCap, Qt::RoundJoin));
+    else
+        painter->setBrush(item->brush);
     if (w->form == FORM_ROUNDED) {
         painter->drawRoundedRect(QRectF(item->point[0], item->point[1]),
                                  ROUNDED_RADIUS, ROUNDED_RADIUS);
@@ -157,7 +161,7 @@ static void draw_shape(QPainter *painter, const struct workload *w,
     if (w->form == FORM_CIRCLE)
         painter->drawEllipse(QPointF(item->point[0]) + QPointF(.5, .5), w->size,
                              w->size);
-    else if (w->form == FORM_GEAR)
+    else if (w->form == FORM_GEAR || w->form == FORM_STROKE)
         draw_gear(painter, workload_gear(w), item->point[0]);
     else if (w->form == FORM_POLYGON)
         painter->drawPolygon(item->point, SHAPE_VERTICES);

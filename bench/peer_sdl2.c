@@ -80,7 +80,8 @@ static void open_sprite(struct job *job, enum paint paint)
 static void *open_job(const struct workload *w, const struct canvas *c)
 {
     if (w->form == FORM_CIRCLE || w->form == FORM_POLYGON ||
-        w->form == FORM_TEXT || w->form == FORM_ROUNDED ||
+        w->form == FORM_STROKE || w->form == FORM_TEXT ||
+        w->form == FORM_ROUNDED ||
         (w->form != FORM_COPY && w->paint > PAINT_GOURAUD))
         return NULL;
     struct job *job = method_allocate(1, sizeof *job);

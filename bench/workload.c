@@ -73,6 +73,8 @@ const struct workload workloads[] = {
     BOTH("smooth-circle-50", FORM_CIRCLE, PAINT_SMOOTH, 50, 1000),
     BOTH("smooth-needle", FORM_SLIVER, PAINT_SMOOTH, 100, 1000),
     BOTH("smooth-polygon-100", FORM_GEAR, PAINT_SMOOTH, 100, 400),
+    BOTH("stroke-100", FORM_STROKE, PAINT_FLAT, 100, 400),
+    BOTH("smooth-stroke-100", FORM_STROKE, PAINT_SMOOTH, 100, 400),
     {"hits-100", FORM_GEAR, PAINT_HITS, BIG, HIT_SIDE / 2 * HIT_STEP, 0, 0, 200,
      0},
     {0},
@@ -83,6 +85,7 @@ int workload_vertices(const struct workload *w)
     switch (w->form) {
     case FORM_CIRCLE:
     case FORM_GEAR:
+    case FORM_STROKE:
         return 1;
     case FORM_LINE:
     case FORM_SCREEN:
@@ -159,7 +162,7 @@ bool workload_open(struct workload *w)
         [FORM_LINE] = line_make,         [FORM_SCREEN] = screen_make,
         [FORM_COPY] = copy_make,         [FORM_TEXT] = text_make,
         [FORM_BOX] = box_make,           [FORM_ROUNDED] = box_make,
-        [FORM_GEAR] = circle_make,
+        [FORM_GEAR] = circle_make,       [FORM_STROKE] = circle_make,
     };
     struct random r = {88172645463325252u};
     w->shape = calloc((size_t)w->count, sizeof *w->shape);

@@ -21,7 +21,8 @@ enum form {
     FORM_TEXT,    /* a line of letters there */
     FORM_BOX,     /* a rectangle of whole pixels, size x size */
     FORM_ROUNDED, /* the same, 5/3 as wide, its corners round */
-    FORM_GEAR     /* an outline of GEAR_SIDES sides around a pixel's centre */
+    FORM_GEAR,    /* an outline of GEAR_SIDES sides around a pixel's centre */
+    FORM_STROKE   /* a line along it, STROKE_WIDTH px wide, with round joins */
 };
 
 /* Linear gradients run from corner (0, 0) of the canvas to the shape's vertex
@@ -56,7 +57,7 @@ enum paint {
 /* Radius of the corners of FORM_ROUNDED, px. */
 enum { ROUNDED_RADIUS = 12 };
 
-enum { GEAR_SIDES = 100 };
+enum { GEAR_SIDES = 100, STROKE_WIDTH = 3 };
 /* Pixels of a hit test, in a square grid over the shape's box. */
 enum { HIT_SIDE = 20, HIT_STEP = 10 };
 /* Base of the slivers: thin triangles, or smooth needles. */
@@ -109,8 +110,9 @@ enum { SPRITE_SIDE = 64, SPRITE_KEY = 0xFF00FF };
  * nothing. It stays until the next call. */
 const uint32_t *workload_sprite(enum paint paint);
 
-/* GEAR_SIDES vertices of a FORM_GEAR, in 1/256 px from its centre, which is
- * that of pixel (x[0], y[0]). They stay until the next call. */
+/* GEAR_SIDES vertices of a FORM_GEAR or FORM_STROKE, in 1/256 px from its
+ * centre, which is that of pixel (x[0], y[0]). They stay until the next call.
+ */
 struct offset {
     int x, y;
 };

@@ -15,10 +15,6 @@ static inline int half_shift(uint64_t v)
     int shift = 0;
     if (PEL_LONG_MULTIPLY)
         return (pel_leading_zeros(v) - 2) / 2;
-    if (v >> 32 == 0) {
-        v <<= 30;
-        shift = 15;
-    }
     for (; v < UINT64_C(1) << 54; v <<= 8)
         shift += 4;
     for (; v < UINT64_C(1) << 60; v <<= 2)

@@ -85,7 +85,7 @@ struct pel_polyline_shape {
     (PEL_POLYGON_SCRATCH_SIZE(sides) + 54 * sizeof(void *))
 #define PEL_STROKE_SCRATCH_SIZE(width, rows)                                  \
     (PEL_CAST(size_t, rows) * (PEL_CAST(size_t, (width) + 31) / 32 + 2) * 4 + \
-     116 * sizeof(void *))
+     118 * sizeof(void *))
 
 /* Is it a path? PEL_ERROR_NULL, PEL_ERROR_FORMAT (a verb that is none, or
  * before the first PEL_MOVE; points that are too many or too few). For data

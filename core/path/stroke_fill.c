@@ -6,22 +6,26 @@
 #include "../raster/edge.h"
 #include "stroker.h"
 
+/* Of a piece in a row: how far its left one is from the right side of the clip,
+ * and its right one from the left side. 0 is that of no piece. */
+struct border {
+    int32_t left, right;
+};
+
 struct bits {
     struct pel_sides sides;
-    int32_t x0, x1;          /* columns */
-    struct pel_span *border; /* of the piece, a row each */
+    int32_t x0, x1;        /* columns */
+    struct border *border; /* of the piece, a row each */
     uint32_t *bits;
-    int32_t words;      /* of a row */
-    int32_t most;       /* rows at a time */
-    int32_t first, end; /* rows of the piece */
+    int32_t words;       /* of a row */
+    int32_t most;        /* rows at a time */
+    int32_t first, end;  /* rows of the piece, */
+    int32_t top, bottom; /* of all */
     struct pel_point from;
     struct pel_edge edge;
 };
 
 typedef char pel_bits_fit[sizeof(struct bits) <= PEL_TAKER_SIZE ? 1 : -1];
-
-/* Those of no piece: empty. */
-static const struct pel_span nothing = {INT32_MAX, INT32_MIN};
 
 /* Sides that go down are on the right. */
 static void take_side(struct bits *b, const struct pel_point *from,
@@ -32,7 +36,7 @@ static void take_side(struct bits *b, const struct pel_point *from,
     const struct pel_point *const bottom = down ? to : from;
     const int32_t first = pel_max(pel_first_pixel(top->y), b->sides.y0);
     const int32_t end = pel_min(pel_first_pixel(bottom->y), b->sides.y1);
-    struct pel_span *border = b->border + (first - b->sides.y0);
+    struct border *border = b->border + (first - b->sides.y0);
     struct pel_edge *const edge = &b->edge;
     if (first >= end)
         return;
@@ -41,9 +45,9 @@ static void take_side(struct bits *b, const struct pel_point *from,
     pel_edge_start(edge, top, bottom, first);
     for (int32_t n = end - first; n > 0; n--, border++) {
         if (down)
-            border->x1 = pel_max(border->x1, edge->x);
+            border->right = pel_max(border->right, edge->x - b->x0);
         else
-            border->x0 = pel_min(border->x0, edge->x);
+            border->left = pel_max(border->left, b->x1 - edge->x);
         pel_edge_next(edge);
     }
 }
@@ -73,15 +77,19 @@ static void set_bits(uint32_t *row, int32_t x0, int32_t x1)
 /* What the piece covers of a row, whose borders are forgotten. */
 static void set_row(struct bits *b, int32_t row)
 {
-    const int32_t x0 = pel_max(b->border[row].x0, b->x0) - b->x0;
-    const int32_t x1 = pel_min(b->border[row].x1, b->x1) - b->x0;
+    struct border *const border = b->border + row;
+    const int32_t width = b->x1 - b->x0;
+    const int32_t x0 = pel_max(width - border->left, 0);
+    const int32_t x1 = pel_min(border->right, width);
     if (x0 < x1)
         set_bits(b->bits + row * b->words, x0, x1);
-    b->border[row] = nothing;
+    border->left = border->right = 0;
 }
 
 static PEL_NOINLINE_32 void set_rows(struct bits *b)
 {
+    b->top = pel_min(b->top, b->first);
+    b->bottom = pel_max(b->bottom, b->end);
     for (int32_t y = b->first; y < b->end; y++)
         set_row(b, y - b->sides.y0);
     b->first = INT32_MAX;
@@ -110,7 +118,7 @@ static struct bits *begin(void *memory, const struct pel_rect *clip,
     b->x1 = clip->x1;
     b->words = (b->x1 - b->x0 + 31) >> 5;
     b->border =
-        (struct pel_span *)(void *)((char *)b + PEL_STROKE_SCRATCH_SIZE(0, 0));
+        (struct border *)(void *)((char *)b + PEL_STROKE_SCRATCH_SIZE(0, 0));
     b->most = most;
     b->first = INT32_MAX;
     b->end = INT32_MIN;
@@ -124,11 +132,11 @@ static PEL_NOINLINE bool next_rows(struct bits *b, const struct pel_rect *clip)
         return false;
     const int32_t y = b->sides.y1, n = pel_min(b->most, clip->y1 - y);
     pel_sides_set_rows(&b->sides, y, y + n);
+    b->top = y + n;
+    b->bottom = y;
     b->bits = (uint32_t *)(void *)(b->border + n);
-    for (int32_t i = 0; i < n; i++)
-        b->border[i] = nothing;
-    for (int32_t i = 0; i < n * b->words; i++)
-        b->bits[i] = 0;
+    for (int32_t i = -2 * n; i < n * b->words; i++)
+        b->bits[i] = 0; /* and the borders before them */
     return true;
 }
 
@@ -156,10 +164,10 @@ static PEL_NOINLINE void paint_rows(const struct bits *b,
                                     const struct pel_paint *paint)
 {
     const int32_t left = b->x0, width = b->x1 - left;
-    const uint32_t *row = b->bits;
+    const uint32_t *row = b->bits + (b->top - b->sides.y0) * b->words;
     struct pel_collector c;
     pel_collect_begin(&c, surface, paint);
-    for (int32_t y = b->sides.y0; y < b->sides.y1; y++, row += b->words)
+    for (int32_t y = b->top; y < b->bottom; y++, row += b->words)
         for (int32_t x = next_change(row, 0, width, 0); x < width;) {
             const int32_t end = next_change(row, x, width, UINT32_MAX);
             pel_collect(&c, y, x + left, end + left);
