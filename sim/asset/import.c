@@ -350,8 +350,8 @@ int command_import(int argc, char **argv)
                    {options, &c, &c.scene.given},
                    {import_font_options, &c.options, &c.scene.given},
                    {picture_options, &c, &c.scene.given},
-                   {import_icon_options, &c.options, &c.scene.given},
                    {import_change_options, &c.options.changes, &c.scene.given},
+                   {import_icon_options, &c.options, &c.scene.given},
                    {mesh_options, &c, &c.scene.given},
                    {scene_option_table, &c.scene, &c.scene.given}}};
     c.scene.source.path = *arguments_parse(&line, argc, argv);
