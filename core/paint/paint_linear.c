@@ -49,15 +49,18 @@ static int32_t unit_of(const struct pel_linear *p)
     return p->base.cells * 256;
 }
 
-/* From the boundary of a cell to that of the next. */
-static inline void next_cell(struct pel_cells *c, const struct pel_linear *p)
+/* From the boundary of a cell to that of the one `count` >= 1 cells on. */
+static inline void next_cells(struct pel_cells *c, const struct pel_linear *p,
+                              int32_t count)
 {
-    c->error -= p->cell;
-    c->rest -= p->cell_rest;
-    if (c->rest < 0) {
-        c->rest += unit_of(p);
-        c->error--;
-    }
+    do {
+        c->error -= p->cell;
+        c->rest -= p->cell_rest;
+        if (c->rest < 0) {
+            c->rest += unit_of(p);
+            c->error--;
+        }
+    } while (--count);
 }
 
 static PEL_HOT bool end_cells(struct pel_cells *c, int32_t count)
@@ -70,19 +73,19 @@ static PEL_HOT bool end_cells(struct pel_cells *c, int32_t count)
         c->error = error;
         return c->x < c->hi;
     }
-    do
-        next_cell(c, p);
-    while (--count);
+    next_cells(c, p, count);
     return pel_cells_end(c, p->d.x, p->d.y, 0);
 }
 
-/* The cell k of a pixel by its product, bit by bit of n, so that the error
- * where it begins is 0 or more and below square: its place. Where the way is
- * padded, before it is the first cell, behind it the last one. */
-static int32_t find_cell(const struct pel_linear *p, int64_t product,
-                         bool padded, int64_t *rest)
+/* The cell k of a pixel by its product, in *rest, bit by bit of n, so that the
+ * error where it begins, *rest then, is 0 or more and below square: its place.
+ * Where the way is padded, before it is the first cell, behind it the last one.
+ */
+static PEL_HOT_LOOP int32_t find_cell(const struct pel_linear *p, bool padded,
+                                      int64_t *rest)
 {
     const int32_t mirror = p->way >> 31; /* -1 when turned, or 0 */
+    const int64_t product = *rest;
     int64_t error = mirror;
     /* n in the 15 upper bits makes room for k in the lower ones. */
     uint32_t bits = (uint32_t)p->base.cells << 17;
@@ -101,17 +104,23 @@ static int32_t find_cell(const struct pel_linear *p, int64_t product,
     return place < 0 ? place + period : place;
 }
 
-static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
-                                     const struct pel_linear *p,
-                                     int64_t product)
+/* Its product is the error, which is then counted in units. */
+static PEL_ALWAYS_INLINE void set_cell_here(struct pel_cells *c,
+                                            const struct pel_linear *p)
 {
-    c->way = p->way;
-    c->place = find_cell(p, product, is_padded(p), &c->error);
+    c->way = (int8_t)p->way;
+    c->place = (uint16_t)find_cell(p, is_padded(p), &c->error);
     if (PEL_CELL_ROWS > 1) {
-        int64_t rest;
-        c->error = pel_divide_64(c->error, unit_of(p), &rest);
-        c->rest = (int32_t)rest;
+        const int64_t units = pel_divide_64(&c->error, unit_of(p));
+        c->rest = (int32_t)c->error;
+        c->error = units;
     }
+}
+
+static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
+                                     const struct pel_linear *p)
+{
+    set_cell_here(c, p);
 }
 
 /* From the row where the first pixel's product is lowest to the first. */
@@ -120,41 +129,47 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
     const struct pel_linear *p = (const void *)c->gradient;
     const int32_t last =
         PEL_CELL_ROWS > 1 && p->d.y < 0 ? (c->cell.n - 1) * c->cell.step : 0;
-    set_cell(c, p, product_at(p, c->x, c->cell.y + last, is_padded(p)));
+    c->error = product_at(p, c->x, c->cell.y + last, is_padded(p));
+    if (PEL_CELL_ROWS == 1)
+        set_cell(c, p);
+    else
+        set_cell_here(c, p);
     if (PEL_CELL_ROWS > 1)
         c->error -= pel_product(p->d.y, last);
 }
 
 /* A row of a vertical gradient has one color. Neighbouring rows of one pixel
  * value are drawn together: at most 8 cells a row are in sight. */
-static PEL_NOINLINE_32 void fill_level(const struct pel_linear *p,
-                                       const struct pel_spans *spans)
+static void level_fill(const struct pel_paint *paint,
+                       const struct pel_spans *spans)
 {
+    const struct pel_linear *p = (const void *)paint;
     const int32_t growth = spans->step ? p->d.y : 0;
     const bool narrow = growth > 8 * p->cell; /* to walk them takes longer */
     struct pel_cells c;
-    struct pel_spans rows = *spans;
-    pel_cells_open(&c, &p->base, spans);
-    for (int32_t left = spans->n; left > 0; left -= rows.n) {
+    pel_cells_open(&c, &p->base, spans, NULL);
+    c.cell.span = spans->span;
+    for (int32_t left = spans->n; left > 0; left -= c.cell.n) {
         if (left == spans->n || narrow) {
-            set_cell(&c, p, product_at(p, 0, rows.y, is_padded(p)));
+            c.error = product_at(p, 0, c.cell.y, is_padded(p));
+            set_cell(&c, p);
             pel_cells_color(&c);
         }
         const uint32_t value = c.value;
-        void (*const draw)(const struct pel_spans *, uint32_t) = c.draw;
-        int32_t count = narrow ? 0 : pel_cells_pass(&c, 8 * left);
-        rows.n = narrow ? 1 : left;
+        int32_t count = 0;
+        pel_cells_keep(&c);
+        if (!narrow)
+            count = pel_cells_pass(&c, 8 * left);
+        c.cell.n = narrow ? 1 : left;
         if (count > 0) {
-            do
-                next_cell(&c, p);
-            while (--count);
-            for (rows.n = 0; c.error < 0 && rows.n < left; rows.n++)
+            next_cells(&c, p, count);
+            for (c.cell.n = 0; c.error < 0 && c.cell.n < left; c.cell.n++)
                 c.error += growth;
         }
-        if (rows.n > 0)
-            pel_fill_value(&rows, value, draw);
-        rows.span += rows.n;
-        rows.y += rows.n * rows.step;
+        if (c.cell.n > 0)
+            pel_cells_paint(&c, value);
+        c.cell.span += c.cell.n;
+        c.cell.y += c.cell.n * c.cell.step;
     }
 }
 
@@ -174,10 +189,10 @@ struct way {
 static PEL_NOINLINE_32 void set_step(struct way *w)
 {
     const struct pel_linear *p = w->paint;
-    int64_t place;
     w->step.outside = is_padded(p) ? 256 * (int64_t)p->d.x : 0;
-    place = pel_divide_64(p->step, p->square, &w->step.error);
-    (void)pel_divide_64(place, p->base.period, &place);
+    w->step.error = p->step;
+    int64_t place = pel_divide_64(&w->step.error, p->square);
+    (void)pel_divide_64(&place, p->base.period);
     w->step.place = (int32_t)place * p->way;
 }
 
@@ -187,7 +202,8 @@ static PEL_NOINLINE_32 void way_start(void *way, int32_t x, int32_t y)
     const struct pel_linear *p = w->paint;
     const int64_t product = along(p, pel_pixel_center(x), pel_pixel_center(y));
     w->at.outside = is_padded(p) ? product + (p->way >> 31) : 0;
-    w->at.place = find_cell(p, product_at(p, x, y, false), false, &w->at.error);
+    w->at.error = product_at(p, x, y, false);
+    w->at.place = find_cell(p, false, &w->at.error);
 }
 
 static PEL_NOINLINE_32 void way_colors(void *way, int32_t n, pel_color *out)
@@ -224,23 +240,6 @@ static PEL_NOINLINE_32 void fill_pixels(const struct pel_linear *p,
     pel_cells_put(spans, &w, way_start, way_colors);
 }
 
-/* Rows are drawn one by one where boundaries lie far apart from row to row, and
- * rows cross many of them. */
-static void fill_cells(const struct pel_paint *paint,
-                       const struct pel_spans *spans)
-{
-    const struct pel_linear *p = (const void *)paint;
-    const int64_t down = pel_size_of(p->d.y);
-    const bool narrow = PEL_CELL_ROWS > 1 && p->step >= NARROW * p->square &&
-                        pel_cells_are_many(&p->base, spans);
-    const bool far = PEL_CELL_ROWS > 1 && down > 32 * p->d.x && down > p->cell;
-    const int32_t rows = far ? 1 : PEL_CELL_ROWS;
-    if (narrow && spans->surface->format->put)
-        fill_pixels(p, spans);
-    else
-        pel_cells_fill(paint, spans, narrow ? 0 : rows, start, end_cells);
-}
-
 /* Opaque, and of cells that are 1/2 to WIDEST px wide: vectors are faster with
  * others. */
 static bool can_walk(const struct pel_linear *p, const struct pel_channels *c)
@@ -251,21 +250,19 @@ static bool can_walk(const struct pel_linear *p, const struct pel_channels *c)
            p->cell < pel_product(WIDEST, p->d.x) && p->d.x < 2 * p->cell;
 }
 
-/* Fills the rows of a dither, which shows every cell, from the row where
- * products are least on. False, and nothing is done, unless it can be walked,
- * and the hull is all on one way from the first cell to the last: then errors
- * are below 256 WIDEST d.x < 2^30. */
+/* Fills the rows of a dither that can_walk, which shows every cell, from the
+ * row where products are least on. False, and nothing is done, unless it can be
+ * walked, and the hull is all on one way from the first cell to the last: then
+ * errors are below 256 WIDEST d.x < 2^30. */
 static PEL_NOINLINE_32 bool fill_walked(const struct pel_linear *p,
                                         const struct pel_spans *spans)
 {
-    const struct pel_channels *const channels =
-        spans->surface->format->channels;
     const int64_t growth = spans->step ? pel_size_of(p->d.y) : 0;
     const bool up = p->d.y < 0;
     const int32_t last = spans->n - 1;
     struct pel_span hull;
     struct pel_cells c;
-    if (!can_walk(p, channels) || !pel_spans_hull(&hull, spans->span, spans->n))
+    if (!pel_spans_hull(&hull, spans->span, spans->n))
         return false;
     const int64_t least = product_at(
         p, hull.x0, spans->y + up * last * spans->step, is_padded(p));
@@ -277,10 +274,11 @@ static PEL_NOINLINE_32 bool fill_walked(const struct pel_linear *p,
                             .unit = unit_of(p),
                             .step = p->d.x};
     c.gradient = &p->base;
-    set_cell(&c, p, least);
-    next_cell(&c, p);
+    c.error = least;
+    set_cell(&c, p);
+    next_cells(&c, p, 1);
     for (int32_t i = 0; i <= last; i++, c.error += growth) {
-        for (; c.error >= 0; next_cell(&c, p))
+        for (; c.error >= 0; next_cells(&c, p, 1))
             pel_cells_go(&c);
         const int32_t k = up ? last - i : i;
         const struct pel_span run = spans->span[k];
@@ -289,22 +287,39 @@ static PEL_NOINLINE_32 bool fill_walked(const struct pel_linear *p,
         pel_mix_start(&walk.mix, &p->base, c.place, p->way);
         walk.error = (int32_t)c.error + p->d.x * (run.x0 - hull.x0);
         walk.rest = c.rest;
-        if (!channels->walk(spans->surface, run.x0, spans->y + k * spans->step,
-                            run.x1 - run.x0, &walk))
+        const struct pel_surface *const s = spans->surface;
+        if (!s->format->channels->walk(s, run.x0, spans->y + k * spans->step,
+                                       run.x1 - run.x0, &walk))
             return false;
     }
     return true;
 }
 
+/* Rows are drawn one by one where boundaries lie far apart from row to row, and
+ * rows cross many of them. */
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_linear *p = (const void *)paint;
-    if (PEL_CELL_ROWS > 1 && p->d.x == 0)
-        fill_level(p, spans);
-    else if (PEL_CELL_ROWS == 1 ||
-             ((p->d.y || !pel_cells_copy(&p->base, spans, fill_cells)) &&
-              !fill_walked(p, spans)))
-        fill_cells(paint, spans);
+    const int64_t down = pel_size_of(p->d.y);
+    const bool narrow = PEL_CELL_ROWS > 1 && p->step >= NARROW * p->square &&
+                        pel_cells_are_many(&p->base, spans);
+    const bool far = PEL_CELL_ROWS > 1 && down > 32 * p->d.x && down > p->cell;
+    const int32_t rows = far ? 1 : PEL_CELL_ROWS;
+    if (PEL_CELL_ROWS > 1 && can_walk(p, spans->surface->format->channels) &&
+        fill_walked(p, spans))
+        return;
+    if (narrow && spans->surface->format->put)
+        fill_pixels(p, spans);
+    else
+        pel_cells_fill(paint, spans, narrow ? 0 : rows, start, end_cells);
+}
+
+/* Horizontal gradients. */
+static void across_fill(const struct pel_paint *paint,
+                        const struct pel_spans *spans)
+{
+    if (!pel_cells_copy((const void *)paint, spans, fill))
+        fill(paint, spans);
 }
 
 enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
@@ -319,7 +334,10 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     struct pel_point d = {to.x - from.x, to.y - from.y};
     if ((d.x | d.y) == 0)
         return PEL_ERROR_SIZE;
-    paint->base.paint.fill = fill;
+    paint->base.paint.fill = PEL_CELL_ROWS == 1 ? fill
+                             : d.x == 0         ? level_fill
+                             : d.y == 0         ? across_fill
+                                                : fill;
     const int32_t onward = d.x || PEL_CELL_ROWS == 1 ? d.x : d.y;
     paint->way = (onward > 0) - (onward < 0);
     if (paint->way < 0) {
@@ -331,8 +349,8 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     paint->square = along(paint, from.x + d.x, from.y + d.y);
     paint->step = pel_product(unit_of(paint), d.x);
     if (PEL_CELL_ROWS > 1) {
-        int64_t rest;
-        paint->cell = pel_divide_64(paint->square, unit_of(paint), &rest);
+        int64_t rest = paint->square;
+        paint->cell = pel_divide_64(&rest, unit_of(paint));
         paint->cell_rest = (int32_t)rest;
     }
     return PEL_OK;
