@@ -47,13 +47,12 @@ static PEL_INLINE_64 int32_t columns(struct pel_disc_sides *s, int k,
 void pel_disc_sides_row(struct pel_disc_sides *s, const int32_t center[2],
                         const struct pel_rect *clip, struct pel_span *span)
 {
-    const int32_t left = center[0], right = center[1];
-    span->x0 = split_at(left, clip);
-    span->x1 = split_at(right, clip);
-    span->x0 -=
-        columns(s, 0, first_left(left, span->x0), span->x0 - clip->x0);
-    span->x1 +=
-        columns(s, 1, first_right(right, span->x1), clip->x1 - span->x1);
+    const int32_t left = split_at(center[0], clip);
+    const int32_t right = split_at(center[1], clip);
+    span->x0 =
+        left - columns(s, 0, first_left(center[0], left), left - clip->x0);
+    span->x1 =
+        right + columns(s, 1, first_right(center[1], right), clip->x1 - right);
 }
 
 /* All columns of a side have the same low 9 bits of u^2. */
