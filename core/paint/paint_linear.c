@@ -3,8 +3,7 @@
 #include "../base/divide.h"
 #include "cells.h"
 
-/* Cells of a pixel, from which on to find those of pixels takes less time than
- * to walk over all. */
+/* Cells of a pixel, from which on they are found, not walked over. */
 enum { NARROW = PEL_CELL_ROWS / 4 };
 enum { WIDEST = PEL_VECTORS ? 3 : 7 }; /* px: only narrower cells are walked */
 
@@ -123,17 +122,14 @@ static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
     set_cell_here(c, p);
 }
 
-/* From the row where the first pixel's product is lowest to the first. */
+/* From the row with the lowest product to the first. */
 static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
 {
     const struct pel_linear *p = (const void *)c->gradient;
     const int32_t last =
         PEL_CELL_ROWS > 1 && p->d.y < 0 ? (c->cell.n - 1) * c->cell.step : 0;
     c->error = product_at(p, c->x, c->cell.y + last, is_padded(p));
-    if (PEL_CELL_ROWS == 1)
-        set_cell(c, p);
-    else
-        set_cell_here(c, p);
+    (PEL_CELL_ROWS == 1 ? set_cell : set_cell_here)(c, p);
     if (PEL_CELL_ROWS > 1)
         c->error -= pel_product(p->d.y, last);
 }
@@ -156,10 +152,8 @@ static void level_fill(const struct pel_paint *paint,
             pel_cells_color(&c);
         }
         const uint32_t value = c.value;
-        int32_t count = 0;
         pel_cells_keep(&c);
-        if (!narrow)
-            count = pel_cells_pass(&c, 8 * left);
+        const int32_t count = narrow ? 0 : pel_cells_pass(&c, 8 * left);
         c.cell.n = narrow ? 1 : left;
         if (count > 0) {
             next_cells(&c, p, count);
@@ -240,8 +234,7 @@ static PEL_NOINLINE_32 void fill_pixels(const struct pel_linear *p,
     pel_cells_put(spans, &w, way_start, way_colors);
 }
 
-/* Opaque, and of cells that are 1/2 to WIDEST px wide: vectors are faster with
- * others. */
+/* Opaque, of cells 1/2 to WIDEST px wide: vectors are faster with others. */
 static bool can_walk(const struct pel_linear *p, const struct pel_channels *c)
 {
     const pel_color *const colors = p->base.ramp.colors;
@@ -251,9 +244,9 @@ static bool can_walk(const struct pel_linear *p, const struct pel_channels *c)
 }
 
 /* Fills the rows of a dither that can_walk, which shows every cell, from the
- * row where products are least on. False, and nothing is done, unless it can be
- * walked, and the hull is all on one way from the first cell to the last: then
- * errors are below 256 WIDEST d.x < 2^30. */
+ * lowest product on. False, and nothing is done, unless the hull is all on one
+ * way from the first cell to the last: errors are below 256 WIDEST d.x < 2^30.
+ */
 static PEL_NOINLINE_32 bool fill_walked(const struct pel_linear *p,
                                         const struct pel_spans *spans)
 {
@@ -287,9 +280,9 @@ static PEL_NOINLINE_32 bool fill_walked(const struct pel_linear *p,
         pel_mix_start(&walk.mix, &p->base, c.place, p->way);
         walk.error = (int32_t)c.error + p->d.x * (run.x0 - hull.x0);
         walk.rest = c.rest;
-        const struct pel_surface *const s = spans->surface;
-        if (!s->format->channels->walk(s, run.x0, spans->y + k * spans->step,
-                                       run.x1 - run.x0, &walk))
+        const struct pel_surface *s = spans->surface;
+        const int32_t y = spans->y + k * spans->step, n = run.x1 - run.x0;
+        if (!s->format->channels->walk(s, run.x0, y, n, &walk))
             return false;
     }
     return true;
@@ -304,14 +297,14 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
     const bool narrow = PEL_CELL_ROWS > 1 && p->step >= NARROW * p->square &&
                         pel_cells_are_many(&p->base, spans);
     const bool far = PEL_CELL_ROWS > 1 && down > 32 * p->d.x && down > p->cell;
-    const int32_t rows = far ? 1 : PEL_CELL_ROWS;
+    const int32_t rows = narrow ? 0 : far ? 1 : PEL_CELL_ROWS;
     if (PEL_CELL_ROWS > 1 && can_walk(p, spans->surface->format->channels) &&
         fill_walked(p, spans))
         return;
     if (narrow && spans->surface->format->put)
         fill_pixels(p, spans);
     else
-        pel_cells_fill(paint, spans, narrow ? 0 : rows, start, end_cells);
+        pel_cells_fill(paint, spans, rows, start, end_cells);
 }
 
 /* Horizontal gradients. */
