@@ -17,6 +17,13 @@
  * of 32 bits do for all rows but the first. */
 enum { PEL_CELL_ROWS = PEL_SMALL_CODE ? 1 : PEL_ROWS < 32 ? PEL_ROWS : 32 };
 
+#if PEL_SMALL_CODE
+typedef int32_t pel_cell_place, pel_cell_way;
+#else
+typedef uint16_t pel_cell_place;
+typedef int8_t pel_cell_way;
+#endif
+
 /* A batch of rows on its way through the cells. A cell's place is its number
  * from 0 on, and below the period. */
 struct pel_cells {
@@ -24,14 +31,11 @@ struct pel_cells {
     int32_t x;      /* at this pixel of the first row */
     uint32_t value; /* the next cell's pixel value, or color if not opaque */
 
-    /* The next cell's place, and the way to the one behind it: 1, -1, or 0
-     * where none comes. */
+    pel_cell_place place; /* of the next cell */
+    pel_cell_way way; /* to the one behind it: 1, -1, or 0 where none comes */
 #if PEL_SMALL_CODE
-    int32_t place, way;
     void (*draw)(const struct pel_spans *spans, uint32_t value); /* fills it */
 #else
-    uint16_t place;
-    int8_t way;
     uint8_t most; /* rows of a batch; 0: one, and hi is the next pixel */
     uint8_t left; /* spans from `span` on */
     bool box;     /* these of a batch are all alike */
@@ -111,7 +115,7 @@ static PEL_ALWAYS_INLINE bool pel_cells_go(struct pel_cells *c)
         next = g->ramp.spread == PEL_PAD ? c->place : next - c->way * g->period;
     if (next == c->place)
         return false;
-    c->place = (uint16_t)next;
+    c->place = (pel_cell_place)next;
     return true;
 }
 

@@ -93,7 +93,7 @@ static PEL_NOINLINE_32 int32_t pass_mixed(struct pel_cells *c)
         if ((pel_mixed(mix) & c->mask) != first)
             break;
     }
-    c->place = (uint16_t)(c->place + c->way * passed);
+    c->place = (pel_cell_place)(c->place + c->way * passed);
     return passed;
 }
 

@@ -75,7 +75,7 @@ static PEL_NOINLINE_32 void first_row(struct pel_cells *c)
     if (PEL_CELL_ROWS > 1 && c->cell.step && v <= 0)
         c->cell.n = pel_min(
             c->cell.n, above ? pel_first_pixel(p->center.y) - c->cell.y : 1);
-    c->way = (int8_t)((v < 0) - (v > 0));
+    c->way = (pel_cell_way)((v < 0) - (v > 0));
     c->whole = above || (v == 0 && left) ? HALF_TURN : 0;
     if (v == 0 && left)
         c->hi = pel_min(c->hi, split);
@@ -92,7 +92,7 @@ static PEL_NOINLINE_32 void set_cell(struct pel_cells *c)
     const uint32_t period = (uint32_t)p->base.period;
     const uint32_t turn = ((uint32_t)c->whole - p->start) & 0xFFFFu;
     uint32_t k = ((turn + 1) * period - 1) >> 16;
-    c->place = (uint16_t)k;
+    c->place = (pel_cell_place)k;
     k = (k + (c->way < 0)) << 16;
     const uint32_t begin = pel_divide(k, period);
     c->whole += (int32_t)(begin - turn);

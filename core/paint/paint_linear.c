@@ -103,12 +103,14 @@ static PEL_HOT_LOOP int32_t find_cell(const struct pel_linear *p, bool padded,
     return place < 0 ? place + period : place;
 }
 
-/* Its product is the error, which is then counted in units. */
+/* The error is counted in units. */
 static PEL_ALWAYS_INLINE void set_cell_here(struct pel_cells *c,
-                                            const struct pel_linear *p)
+                                            const struct pel_linear *p,
+                                            int64_t product)
 {
-    c->way = (int8_t)p->way;
-    c->place = (uint16_t)find_cell(p, is_padded(p), &c->error);
+    c->error = product;
+    c->way = (pel_cell_way)p->way;
+    c->place = (pel_cell_place)find_cell(p, is_padded(p), &c->error);
     if (PEL_CELL_ROWS > 1) {
         const int64_t units = pel_divide_64(&c->error, unit_of(p));
         c->rest = (int32_t)c->error;
@@ -117,9 +119,10 @@ static PEL_ALWAYS_INLINE void set_cell_here(struct pel_cells *c,
 }
 
 static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
-                                     const struct pel_linear *p)
+                                     const struct pel_linear *p,
+                                     int64_t product)
 {
-    set_cell_here(c, p);
+    set_cell_here(c, p, product);
 }
 
 /* From the row with the lowest product to the first. */
@@ -128,8 +131,8 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
     const struct pel_linear *p = (const void *)c->gradient;
     const int32_t last =
         PEL_CELL_ROWS > 1 && p->d.y < 0 ? (c->cell.n - 1) * c->cell.step : 0;
-    c->error = product_at(p, c->x, c->cell.y + last, is_padded(p));
-    (PEL_CELL_ROWS == 1 ? set_cell : set_cell_here)(c, p);
+    (PEL_CELL_ROWS == 1 ? set_cell : set_cell_here)(
+        c, p, product_at(p, c->x, c->cell.y + last, is_padded(p)));
     if (PEL_CELL_ROWS > 1)
         c->error -= pel_product(p->d.y, last);
 }
@@ -147,8 +150,7 @@ static void level_fill(const struct pel_paint *paint,
     c.cell.span = spans->span;
     for (int32_t left = spans->n; left > 0; left -= c.cell.n) {
         if (left == spans->n || narrow) {
-            c.error = product_at(p, 0, c.cell.y, is_padded(p));
-            set_cell(&c, p);
+            set_cell(&c, p, product_at(p, 0, c.cell.y, is_padded(p)));
             pel_cells_color(&c);
         }
         const uint32_t value = c.value;
@@ -267,8 +269,7 @@ static PEL_NOINLINE_32 bool fill_walked(const struct pel_linear *p,
                             .unit = unit_of(p),
                             .step = p->d.x};
     c.gradient = &p->base;
-    c.error = least;
-    set_cell(&c, p);
+    set_cell(&c, p, least);
     next_cells(&c, p, 1);
     for (int32_t i = 0; i <= last; i++, c.error += growth) {
         for (; c.error >= 0; next_cells(&c, p, 1))
@@ -288,8 +289,8 @@ static PEL_NOINLINE_32 bool fill_walked(const struct pel_linear *p,
     return true;
 }
 
-/* Rows are drawn one by one where boundaries lie far apart from row to row, and
- * rows cross many of them. */
+/* Rows are drawn one by one that boundaries cross far apart, and many of them.
+ */
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_linear *p = (const void *)paint;
@@ -307,7 +308,6 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
         pel_cells_fill(paint, spans, rows, start, end_cells);
 }
 
-/* Horizontal gradients. */
 static void across_fill(const struct pel_paint *paint,
                         const struct pel_spans *spans)
 {

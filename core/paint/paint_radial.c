@@ -94,8 +94,8 @@ static PEL_NOINLINE_32 void find_ring(struct pel_cells *c,
         part = most;
     }
     const bool beyond = part > most;
-    c->place = (uint16_t)pel_cells_place(&p->base, copy + beyond,
-                                         part + p->first - (beyond ? n : 0));
+    c->place = (pel_cell_place)pel_cells_place(
+        &p->base, copy + beyond, part + p->first - (beyond ? n : 0));
     const int64_t ring = pel_product(part + (c->way < 0), radius);
     const int32_t begin = quotient(ring, n);
     c->whole = copy * radius + begin;
