@@ -192,8 +192,8 @@ const struct pel_font_glyph *pel_glyph_find(const struct pel_font_asset **font,
 /* Has the glyph at (x, y) pixels in the clip? It is far outside of every
  * surface when the string is long enough: then it is not drawn. */
 static inline bool in_sight(const struct pel_surface *surface,
-                              const struct pel_font_glyph *glyph, int32_t x,
-                              int32_t y)
+                            const struct pel_font_glyph *glyph, int32_t x,
+                            int32_t y)
 {
     const struct pel_rect *const clip = &surface->clip;
     return x < clip->x1 && y < clip->y1 && x + glyph->width > clip->x0 &&

@@ -112,8 +112,8 @@ static void put_packed(const struct pixels *l, const struct pel_surface *s,
 
 /* False when it is another line, or a format of no usual display. */
 static PEL_HOT_LOOP bool put_pixels(const struct pel_surface *s,
-                                const struct pel_rect *p,
-                                const struct pel_paint *paint)
+                                    const struct pel_rect *p,
+                                    const struct pel_paint *paint)
 {
     const struct pel_format *f = s->format;
     const struct pel_rect *clip = &s->clip;
