@@ -86,22 +86,6 @@ static inline int pel_trailing_zeros(uint32_t v)
 #define PEL_HOT_LOOP inline
 #endif
 
-/* Where the compiler optimises for size stack is short, too: a shape's and a
- * paint's add up. Then few rows and colors are kept on it at a time, and a
- * PEL_STEP is a function of its own, whose stack is free again when it returns.
- */
-#if defined(__OPTIMIZE_SIZE__) && !PEL_64BIT
-#define PEL_SHORT_STACK 1
-#define PEL_AT_A_TIME(n, few) ((n) < (few) ? (n) : (few))
-#define PEL_STEP PEL_NOINLINE
-#else
-#define PEL_SHORT_STACK 0
-#define PEL_AT_A_TIME(n, few) (n)
-#define PEL_STEP inline
-#endif
-#define PEL_ROWS PEL_AT_A_TIME(PEL_BATCH_ROWS, 4)
-#define PEL_COLORS PEL_AT_A_TIME(PEL_BUFFER_PIXELS, 8)
-
 /* On 32-bit CPUs 64-bit numbers are long code and stack is short: there both
  * are functions of their own. On others the first is inlined, the second as the
  * compiler chooses. PEL_INLINE_KINDS: with a constant kind on 64-bit CPUs,

@@ -15,37 +15,29 @@
 
 /* Rows of a batch: one where code is to be small, and at most 32: then errors
  * of 32 bits do for all rows but the first. */
-enum { PEL_CELL_ROWS = PEL_SMALL_CODE ? 1 : PEL_ROWS < 32 ? PEL_ROWS : 32 };
-
-#if PEL_SMALL_CODE
-typedef int32_t pel_cell_place, pel_cell_way;
-#else
-typedef uint16_t pel_cell_place;
-typedef int8_t pel_cell_way;
-#endif
+enum {
+    PEL_CELL_ROWS = PEL_SMALL_CODE        ? 1
+                    : PEL_BATCH_ROWS < 32 ? PEL_BATCH_ROWS
+                                          : 32
+};
 
 /* A batch of rows on its way through the cells. A cell's place is its number
  * from 0 on, and below the period. */
 struct pel_cells {
-    int64_t error;  /* of the boundary where the present cell ends, */
-    int32_t x;      /* at this pixel of the first row */
-    uint32_t value; /* the next cell's pixel value, or color if not opaque */
+    int64_t error; /* of the boundary where the present cell ends, */
+    int32_t x;     /* at this pixel of the first row */
+    int32_t way;   /* to the next cell's place: 1, -1, or 0 where none comes */
+    int32_t hi;    /* runs end here at the farthest */
 
-    pel_cell_place place; /* of the next cell */
-    pel_cell_way way; /* to the one behind it: 1, -1, or 0 where none comes */
-#if PEL_SMALL_CODE
-    void (*draw)(const struct pel_spans *spans, uint32_t value); /* fills it */
-#else
-    uint8_t most; /* rows of a batch; 0: one, and hi is the next pixel */
-    uint8_t left; /* spans from `span` on */
-    bool box;     /* these of a batch are all alike */
-    bool opaque;  /* the next cell is */
-    bool solid;   /* the present one is, or those that pel_cells_pass saw are */
-#endif
+    /* The next cell: its pixel value and the format's fill, or its color,
+     * which is not opaque, and the blend. */
+    uint32_t value;
+    void (*draw)(const struct pel_spans *spans, uint32_t value);
 
-    int32_t hi; /* runs end here at the farthest */
     const struct pel_gradient *gradient;
-    struct pel_spans cell; /* the present cell's runs: pel_cells_run */
+    struct pel_spans cell; /* the present cell's runs */
+
+    int32_t place; /* of the next cell */
 
     /* Of a radial gradient the radius where the present cell begins, of a conic
      * one the angle, rounded down. */
@@ -55,15 +47,14 @@ struct pel_cells {
 #if !PEL_SMALL_CODE
     const struct pel_span *span; /* the shape's, of these rows */
     int32_t end;                 /* px: where all of them have ended */
+    uint8_t left;                /* spans from `span` on */
+    bool box;                    /* these are all alike */
     pel_color mask; /* of mixed colors what can be seen; 0: ask the format */
 #endif
-};
 
-/* The run of the present cell in every row, which cell.span points to. */
-static inline struct pel_span *pel_cells_run(struct pel_cells *c)
-{
-    return (struct pel_span *)c->cell.span;
-}
+    /* The run of the present cell, in every row. */
+    struct pel_span run[PEL_CELL_ROWS];
+};
 
 /* The place of the cell `part` of copy number `copy` of the way; of a padded
  * way copy >= 0. */
@@ -87,9 +78,9 @@ static inline uint32_t pel_mix_sum(uint32_t a, uint32_t change, int32_t i)
 }
 
 /* From cell i on, up where way is 1, or down: -1. */
-static PEL_HOT void pel_mix_start(struct pel_mix *mix,
-                                  const struct pel_gradient *g, int32_t i,
-                                  int32_t way)
+static PEL_SHARED void pel_mix_start(struct pel_mix *mix,
+                                     const struct pel_gradient *g, int32_t i,
+                                     int32_t way)
 {
     const pel_color a = g->ramp.colors[0], b = g->ramp.colors[1];
     const uint32_t m = 0xFF00FFu, high = (b >> 8 & m) - (a >> 8 & m);
@@ -115,14 +106,14 @@ static PEL_ALWAYS_INLINE bool pel_cells_go(struct pel_cells *c)
         next = g->ramp.spread == PEL_PAD ? c->place : next - c->way * g->period;
     if (next == c->place)
         return false;
-    c->place = (pel_cell_place)next;
+    c->place = next;
     return true;
 }
 
 /* Before the first batch. */
 void pel_cells_open(struct pel_cells *cells,
                     const struct pel_gradient *gradient,
-                    const struct pel_spans *spans, struct pel_span *run);
+                    const struct pel_spans *spans);
 
 /* How many pixels n spans have, and where: from the left end of all to the
  * right end. Of none x0 > x1. */
@@ -131,8 +122,9 @@ int32_t pel_spans_hull(struct pel_span *hull, const struct pel_span *span,
 
 /* Sets the rows, x, hi and where runs begin. While x, which the caller has
  * moved to hi, is not the end of the batch, that goes on there; else the next
- * one begins. False when no pixel is left. */
-bool pel_cells_next(struct pel_cells *cells);
+ * one begins, of at most `most` <= PEL_CELL_ROWS rows. With `most` 0 it has one
+ * row, and hi is the next pixel. False when no pixel is left. */
+bool pel_cells_next(struct pel_cells *cells, int32_t most);
 
 /* Of narrow cells: are there more than a walk should pass? Of a way that does
  * not begin anew it passes each once. */
@@ -158,28 +150,6 @@ void pel_cells_color(struct pel_cells *c);
 
 /* Cells of one pixel value are one, up to so many: more may be out of sight. */
 enum { PEL_CELLS_PASSED = 2048 };
-
-/* The next cell becomes the present one: keeps what fills it. */
-static inline void pel_cells_keep(struct pel_cells *c)
-{
-#if !PEL_SMALL_CODE
-    c->solid = c->opaque;
-#else
-    (void)c;
-#endif
-}
-
-/* Draws the runs of the present cell, whose value this is. */
-static PEL_ALWAYS_INLINE void pel_cells_paint(const struct pel_cells *c,
-                                              uint32_t value)
-{
-#if !PEL_SMALL_CODE
-    const struct pel_format *const format = c->cell.surface->format;
-    pel_fill_value(&c->cell, value, c->solid ? format->fill : format->blend);
-#else
-    pel_fill_value(&c->cell, value, c->draw);
-#endif
-}
 
 /* Looks at cells from the one at c->place on until the pixel value changes, or
  * `most` of them or some more have been seen; returns how many have the value,
@@ -227,6 +197,33 @@ static PEL_ALWAYS_INLINE void pel_cells_move(struct pel_cells *c, int32_t count,
     } while (--count);
 }
 
+/* Draws what is left of every row up to hi, from the cell at c->place on. A
+ * single row may end earlier: after some cells, in case they are narrow, the
+ * next one is looked up. */
+static PEL_ALWAYS_INLINE void pel_cells_draw(
+    struct pel_cells *c, bool (*end)(struct pel_cells *cells, int32_t count))
+{
+    bool rest = false;
+    int32_t left = 64;
+    pel_cells_color(c);
+    do {
+        const uint32_t value = c->value;
+        void (*const draw)(const struct pel_spans *, uint32_t) = c->draw;
+        if (PEL_CELL_ROWS > 1) {
+            const int32_t count = pel_cells_pass(c, PEL_CELLS_PASSED);
+            rest = count ? end(c, count) : pel_cells_end_all(c);
+        } else {
+            c->run[0].x0 = c->x;
+            do
+                (void)(pel_cells_more(c) ? end(c, 1) : pel_cells_end_all(c));
+            while (--left && c->x < c->hi && c->value == value &&
+                   c->draw == draw);
+            c->run[0].x1 = c->x;
+        }
+        pel_fill_value(&c->cell, value, draw);
+    } while (PEL_CELL_ROWS > 1 ? rest : left && c->x < c->hi);
+}
+
 /* Fills spans of narrow cells pixel by pixel: `start` begins a way along a row,
  * and `colors` takes the next n >= 1 of its colors. */
 static PEL_ALWAYS_INLINE void pel_cells_put(
@@ -234,100 +231,51 @@ static PEL_ALWAYS_INLINE void pel_cells_put(
     void (*start)(void *way, int32_t x, int32_t y),
     void (*colors)(void *way, int32_t n, pel_color *out))
 {
-    pel_color out[PEL_COLORS];
+    pel_color out[PEL_BUFFER_PIXELS];
     const struct pel_span *span = spans->span;
     int32_t y = spans->y;
     for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step) {
         if (span->x0 < span->x1)
             start(way, span->x0, y);
         for (int32_t x = span->x0, n; x < span->x1; x += n) {
-            n = pel_min(span->x1 - x, PEL_COLORS);
+            n = pel_min(span->x1 - x, PEL_BUFFER_PIXELS);
             colors(way, n, out);
             pel_put_colors(spans->surface, x, y, n, out);
         }
     }
 }
 
-/* Draws what is left of every row up to hi, from the cell at c->place on. A
- * single row may end earlier: after some cells, in case they are narrow, the
- * next one is looked up.
- *
- * Fills spans, `most` rows at a time; 0: one, and every pixel looks for its
+/* Fills spans, `most` rows at a time; 0: one, and every pixel looks for its
  * cell, as cells are narrow. `start` finds the cell of the first pixel, its
  * place and the way, and may bring hi nearer; `end` lets the present cell end
  * where `count` >= 1 cells end, it included, by pel_cells_end: true when pixels
- * are left. Written out where they are called, to spare the stack. */
-#if PEL_SMALL_CODE
-
-static PEL_ALWAYS_INLINE void pel_cells_draw(
-    struct pel_cells *c, struct pel_span *run,
-    bool (*end)(struct pel_cells *cells, int32_t count))
-{
-    int32_t left = 64;
-    pel_cells_color(c);
-    do {
-        const uint32_t value = c->value;
-        void (*const draw)(const struct pel_spans *, uint32_t) = c->draw;
-        run->x0 = c->x;
-        do
-            (void)(pel_cells_more(c) ? end(c, 1) : pel_cells_end_all(c));
-        while (--left && c->x < c->hi && c->value == value && c->draw == draw);
-        run->x1 = c->x;
-        pel_fill_value(&c->cell, value, draw);
-    } while (left && c->x < c->hi);
-}
-
+ * are left. Written out where it is called, to spare the stack. */
 static PEL_ALWAYS_INLINE void pel_cells_fill(
     const struct pel_paint *paint, const struct pel_spans *spans, int32_t most,
     void (*start)(struct pel_cells *cells),
     bool (*end)(struct pel_cells *cells, int32_t count))
 {
     struct pel_cells c;
-    struct pel_span run;
+    if (PEL_CELL_ROWS > 1) {
+        pel_cells_open(&c, (const void *)paint, spans);
+        while (pel_cells_next(&c, most)) {
+            start(&c);
+            pel_cells_draw(&c, end);
+            c.x = c.hi;
+        }
+        return;
+    }
+    c.gradient = (const void *)paint;
+    c.cell =
+        (struct pel_spans){spans->surface, c.run, spans->y, 1, spans->step};
     const struct pel_span *span = spans->span;
     const struct pel_span *const last = span + spans->n;
-    (void)most;
-    c.gradient = (const void *)paint;
-    c.cell = (struct pel_spans){spans->surface, &run, spans->y, 1, spans->step};
     for (; span < last; c.cell.y += c.cell.step, span++)
         for (c.x = span->x0; c.x < span->x1;) {
             c.hi = span->x1;
             start(&c);
-            pel_cells_draw(&c, &run, end);
+            pel_cells_draw(&c, end);
         }
 }
-
-#else
-
-static PEL_ALWAYS_INLINE void pel_cells_draw(
-    struct pel_cells *c, bool (*end)(struct pel_cells *cells, int32_t count))
-{
-    bool rest;
-    pel_cells_color(c);
-    do {
-        const uint32_t value = c->value;
-        const int32_t count = pel_cells_pass(c, PEL_CELLS_PASSED);
-        rest = count ? end(c, count) : pel_cells_end_all(c);
-        pel_cells_paint(c, value);
-    } while (rest);
-}
-
-static PEL_ALWAYS_INLINE void pel_cells_fill(
-    const struct pel_paint *paint, const struct pel_spans *spans, int32_t most,
-    void (*start)(struct pel_cells *cells),
-    bool (*end)(struct pel_cells *cells, int32_t count))
-{
-    struct pel_cells c;
-    struct pel_span run[PEL_CELL_ROWS];
-    pel_cells_open(&c, (const void *)paint, spans, run);
-    c.most = (uint8_t)most;
-    while (pel_cells_next(&c)) {
-        start(&c);
-        pel_cells_draw(&c, end);
-        c.x = c.hi;
-    }
-}
-
-#endif
 
 #endif

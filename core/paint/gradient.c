@@ -30,16 +30,11 @@ static inline pel_color mixed_by_channels(pel_color a, pel_color b,
     return color;
 }
 
-static inline int32_t cell_at(const struct pel_gradient *g, int32_t place)
-{
-    return place < g->cells ? place : g->period - 1 - place;
-}
-
-static pel_color mixed_color(const struct pel_gradient *g, int32_t place)
+static pel_color ramp_color(const struct pel_gradient *g, int32_t place)
 {
     const pel_color *const colors = g->ramp.colors;
-    const int32_t cell = cell_at(g, place);
-    if (PEL_SMALL_CODE && g->ramp.n != 2)
+    const int32_t cell = place < g->cells ? place : g->period - 1 - place;
+    if (g->ramp.n != 2)
         return colors[cell];
     if (PEL_SMALL_CODE)
         return mixed_by_channels(colors[0], colors[1], 2 * cell + 1);
@@ -48,28 +43,13 @@ static pel_color mixed_color(const struct pel_gradient *g, int32_t place)
     return pel_mixed(mix);
 }
 
-static inline void take_color(struct pel_cells *c)
-{
-    c->value = c->gradient->color(c->gradient, c->place);
-    const bool opaque = pel_alpha(c->value) == 255;
-#if PEL_SMALL_CODE
-    const struct pel_format *const format = c->cell.surface->format;
-    c->draw = opaque ? format->fill : format->blend;
-#else
-    c->opaque = opaque;
-#endif
-    if (opaque)
-        c->value = c->cell.surface->format->pack(c->value);
-}
-
-static inline pel_color ramp_color(const struct pel_gradient *g, int32_t place)
-{
-    return g->ramp.colors[cell_at(g, place)];
-}
-
 void pel_cells_color(struct pel_cells *c)
 {
-    take_color(c);
+    const pel_color color = c->gradient->color(c->gradient, c->place);
+    const struct pel_format *format = c->cell.surface->format;
+    const bool opaque = pel_alpha(color) == 255;
+    c->draw = opaque ? format->fill : format->blend;
+    c->value = opaque ? format->pack(color) : color;
 }
 
 #if !PEL_SMALL_CODE
@@ -93,17 +73,18 @@ static PEL_NOINLINE_32 int32_t pass_mixed(struct pel_cells *c)
         if ((pel_mixed(mix) & c->mask) != first)
             break;
     }
-    c->place = (pel_cell_place)(c->place + c->way * passed);
+    c->place += c->way * passed;
     return passed;
 }
 
 void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
-                    const struct pel_spans *spans, struct pel_span *run)
+                    const struct pel_spans *spans)
 {
     const uint8_t *const depth = spans->surface->format->depth;
     const struct pel_ramp *const ramp = &gradient->ramp;
     c->gradient = gradient;
-    c->cell = (struct pel_spans){spans->surface, run, spans->y, 0, spans->step};
+    c->cell =
+        (struct pel_spans){spans->surface, c->run, spans->y, 0, spans->step};
     c->x = c->end = 0; /* no rows: the first batch is the next one */
     c->span = spans->span;
     c->left = (uint8_t)spans->n;
@@ -114,14 +95,14 @@ void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
             c->mask = c->mask << 8 | (0xFF00u >> depth[k] & 0xFF);
 }
 
-bool pel_cells_next(struct pel_cells *c)
+bool pel_cells_next(struct pel_cells *c, int32_t most)
 {
     while (c->x >= c->end) {
         struct pel_span hull;
         c->span += c->cell.n;
         c->left = (uint8_t)(c->left - c->cell.n);
         c->cell.y += c->cell.n * c->cell.step;
-        c->cell.n = pel_min(c->left, pel_max(c->most, 1));
+        c->cell.n = pel_min(c->left, pel_max(most, 1));
         if (c->cell.n == 0)
             return false;
         const int32_t pixels = pel_spans_hull(&hull, c->span, c->cell.n);
@@ -129,9 +110,9 @@ bool pel_cells_next(struct pel_cells *c)
         c->end = hull.x1;
         c->box = pixels == c->cell.n * (hull.x1 - hull.x0);
     }
-    c->hi = c->most ? c->end : c->x + 1;
+    c->hi = most ? c->end : c->x + 1;
     for (int32_t i = 0; i < c->cell.n; i++)
-        pel_cells_run(c)[i].x1 = pel_max(c->x, c->span[i].x0);
+        c->run[i].x1 = pel_max(c->x, c->span[i].x0);
     return true;
 }
 
@@ -139,12 +120,11 @@ bool pel_cells_next(struct pel_cells *c)
 static int32_t cut(struct pel_cells *c)
 {
     const int32_t hi = c->hi;
-    struct pel_span *run = pel_cells_run(c);
     int32_t rest = 0;
-    for (int32_t i = 0; i < c->cell.n; i++, run++) {
+    for (int32_t i = 0; i < c->cell.n; i++) {
         const int32_t end = pel_min(c->span[i].x1, hi);
-        const int32_t x = pel_max(run->x0, pel_min(run->x1, end));
-        run->x1 = x;
+        const int32_t x = pel_max(c->run[i].x0, pel_min(c->run[i].x1, end));
+        c->run[i].x1 = x;
         rest |= x - end;
     }
     return rest;
@@ -163,7 +143,7 @@ static int32_t end_rows(struct pel_cells *c, int32_t step, int32_t row,
                                       : (int32_t)c->error;
     row *= c->cell.step;
     step -= bend;
-    struct pel_span *run = pel_cells_run(c);
+    struct pel_span *run = c->run;
     for (int32_t left = c->cell.n;; run++) {
         run->x0 = run->x1;
         run->x1 = x;
@@ -189,15 +169,14 @@ static int32_t end_rows(struct pel_cells *c, int32_t step, int32_t row,
 int32_t pel_cells_pass(struct pel_cells *c, int32_t most)
 {
     const uint32_t value = c->value;
+    void (*const draw)(const struct pel_spans *, uint32_t) = c->draw;
     int32_t count = 0;
-    pel_cells_keep(c);
     do {
         if (c->mask)
             count += pass_mixed(c);
-        if (count++ >= c->gradient->period || !pel_cells_go(c))
+        if (count++ >= c->gradient->period || !pel_cells_more(c))
             return 0;
-        take_color(c);
-    } while (c->value == value && c->opaque == c->solid && count < most);
+    } while (c->value == value && c->draw == draw && count < most);
     return count;
 }
 
@@ -234,7 +213,7 @@ enum pel_status pel_gradient_init(struct pel_gradient *g,
         return PEL_ERROR_NULL;
     if (ramp->n == 0 || (uint32_t)ramp->n >> 15)
         return PEL_ERROR_SIZE;
-    g->color = PEL_SMALL_CODE || ramp->n == 2 ? mixed_color : ramp_color;
+    g->color = ramp_color;
     g->ramp = *ramp;
     g->cells = ramp->n == 2 ? 256 : ramp->n;
     g->period = ramp->spread == PEL_REFLECT ? 2 * g->cells : g->cells;

@@ -38,27 +38,16 @@ static PEL_ALWAYS_INLINE void find_angle(struct pel_cells *c)
  * before the full turn, rows below at 0. On a ray or clockwise of it is beyond
  * it above the centre, before it below. The lowest 8 bits of the cross product
  * never change from pixel to pixel. */
-static PEL_HOT_LOOP bool move_angle(struct pel_cells *c, int32_t count)
+static PEL_HOT bool end_cells(struct pel_cells *c, int32_t count)
 {
     const struct pel_conic *p = (const void *)c->gradient;
     pel_cells_move(c, count, p->width, p->rest, p->base.period);
-    return (uint32_t)(c->whole - 1) >> 16;
-}
-
-static PEL_HOT_LOOP void set_error(struct pel_cells *c,
-                                   const struct pel_point *ray)
-{
-    const int64_t cross = cross_of(c, ray->x, ray->y, height_of(c)) >> 8;
-    c->error = c->way < 0 ? ~cross : cross;
-}
-
-static PEL_HOT bool end_cells(struct pel_cells *c, int32_t count)
-{
-    if (move_angle(c, count))
+    if ((uint32_t)(c->whole - 1) >> 16)
         return pel_cells_end_all(c);
-    const struct pel_point ray = pel_direction((uint16_t)c->whole);
-    set_error(c, &ray);
-    return pel_cells_end(c, pel_magnitude(ray.y), c->way * ray.x, 0);
+    const struct pel_point d = pel_direction((uint16_t)c->whole);
+    const int64_t cross = cross_of(c, d.x, d.y, height_of(c)) >> 8;
+    c->error = c->way < 0 ? ~cross : cross;
+    return pel_cells_end(c, pel_magnitude(d.y), c->way * d.x, 0);
 }
 
 /* Cuts the batch, so that it has rows above the centre, or the row through it,
@@ -75,7 +64,7 @@ static PEL_NOINLINE_32 void first_row(struct pel_cells *c)
     if (PEL_CELL_ROWS > 1 && c->cell.step && v <= 0)
         c->cell.n = pel_min(
             c->cell.n, above ? pel_first_pixel(p->center.y) - c->cell.y : 1);
-    c->way = (pel_cell_way)((v < 0) - (v > 0));
+    c->way = (v < 0) - (v > 0);
     c->whole = above || (v == 0 && left) ? HALF_TURN : 0;
     if (v == 0 && left)
         c->hi = pel_min(c->hi, split);
@@ -92,7 +81,7 @@ static PEL_NOINLINE_32 void set_cell(struct pel_cells *c)
     const uint32_t period = (uint32_t)p->base.period;
     const uint32_t turn = ((uint32_t)c->whole - p->start) & 0xFFFFu;
     uint32_t k = ((turn + 1) * period - 1) >> 16;
-    c->place = (pel_cell_place)k;
+    c->place = (int32_t)k;
     k = (k + (c->way < 0)) << 16;
     const uint32_t begin = pel_divide(k, period);
     c->whole += (int32_t)(begin - turn);

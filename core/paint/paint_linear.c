@@ -3,7 +3,8 @@
 #include "../base/divide.h"
 #include "cells.h"
 
-/* Cells of a pixel, from which on they are found, not walked over. */
+/* Cells of a pixel, from which on to find those of pixels takes less time than
+ * to walk over all. */
 enum { NARROW = PEL_CELL_ROWS / 4 };
 enum { WIDEST = PEL_VECTORS ? 3 : 7 }; /* px: only narrower cells are walked */
 
@@ -48,18 +49,15 @@ static int32_t unit_of(const struct pel_linear *p)
     return p->base.cells * 256;
 }
 
-/* From the boundary of a cell to that of the one `count` >= 1 cells on. */
-static inline void next_cells(struct pel_cells *c, const struct pel_linear *p,
-                              int32_t count)
+/* From the boundary of a cell to that of the next. */
+static inline void next_cell(struct pel_cells *c, const struct pel_linear *p)
 {
-    do {
-        c->error -= p->cell;
-        c->rest -= p->cell_rest;
-        if (c->rest < 0) {
-            c->rest += unit_of(p);
-            c->error--;
-        }
-    } while (--count);
+    c->error -= p->cell;
+    c->rest -= p->cell_rest;
+    if (c->rest < 0) {
+        c->rest += unit_of(p);
+        c->error--;
+    }
 }
 
 static PEL_HOT bool end_cells(struct pel_cells *c, int32_t count)
@@ -72,19 +70,19 @@ static PEL_HOT bool end_cells(struct pel_cells *c, int32_t count)
         c->error = error;
         return c->x < c->hi;
     }
-    next_cells(c, p, count);
+    do
+        next_cell(c, p);
+    while (--count);
     return pel_cells_end(c, p->d.x, p->d.y, 0);
 }
 
-/* The cell k of a pixel by its product, in *rest, bit by bit of n, so that the
- * error where it begins, *rest then, is 0 or more and below square: its place.
- * Where the way is padded, before it is the first cell, behind it the last one.
- */
-static PEL_HOT_LOOP int32_t find_cell(const struct pel_linear *p, bool padded,
-                                      int64_t *rest)
+/* The cell k of a pixel by its product, bit by bit of n, so that the error
+ * where it begins is 0 or more and below square: its place. Where the way is
+ * padded, before it is the first cell, behind it the last one. */
+static int32_t find_cell(const struct pel_linear *p, int64_t product,
+                         bool padded, int64_t *rest)
 {
     const int32_t mirror = p->way >> 31; /* -1 when turned, or 0 */
-    const int64_t product = *rest;
     int64_t error = mirror;
     /* n in the 15 upper bits makes room for k in the lower ones. */
     uint32_t bits = (uint32_t)p->base.cells << 17;
@@ -103,69 +101,60 @@ static PEL_HOT_LOOP int32_t find_cell(const struct pel_linear *p, bool padded,
     return place < 0 ? place + period : place;
 }
 
-/* The error is counted in units. */
-static PEL_ALWAYS_INLINE void set_cell_here(struct pel_cells *c,
-                                            const struct pel_linear *p,
-                                            int64_t product)
-{
-    c->error = product;
-    c->way = (pel_cell_way)p->way;
-    c->place = (pel_cell_place)find_cell(p, is_padded(p), &c->error);
-    if (PEL_CELL_ROWS > 1) {
-        const int64_t units = pel_divide_64(&c->error, unit_of(p));
-        c->rest = (int32_t)c->error;
-        c->error = units;
-    }
-}
-
 static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
                                      const struct pel_linear *p,
                                      int64_t product)
 {
-    set_cell_here(c, p, product);
+    c->way = p->way;
+    c->place = find_cell(p, product, is_padded(p), &c->error);
+    if (PEL_CELL_ROWS > 1) {
+        int64_t rest;
+        c->error = pel_divide_64(c->error, unit_of(p), &rest);
+        c->rest = (int32_t)rest;
+    }
 }
 
-/* From the row with the lowest product to the first. */
+/* From the row where the first pixel's product is lowest to the first. */
 static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
 {
     const struct pel_linear *p = (const void *)c->gradient;
     const int32_t last =
         PEL_CELL_ROWS > 1 && p->d.y < 0 ? (c->cell.n - 1) * c->cell.step : 0;
-    (PEL_CELL_ROWS == 1 ? set_cell : set_cell_here)(
-        c, p, product_at(p, c->x, c->cell.y + last, is_padded(p)));
+    set_cell(c, p, product_at(p, c->x, c->cell.y + last, is_padded(p)));
     if (PEL_CELL_ROWS > 1)
         c->error -= pel_product(p->d.y, last);
 }
 
 /* A row of a vertical gradient has one color. Neighbouring rows of one pixel
  * value are drawn together: at most 8 cells a row are in sight. */
-static void level_fill(const struct pel_paint *paint,
-                       const struct pel_spans *spans)
+static PEL_NOINLINE_32 void fill_level(const struct pel_linear *p,
+                                       const struct pel_spans *spans)
 {
-    const struct pel_linear *p = (const void *)paint;
     const int32_t growth = spans->step ? p->d.y : 0;
     const bool narrow = growth > 8 * p->cell; /* to walk them takes longer */
     struct pel_cells c;
-    pel_cells_open(&c, &p->base, spans, NULL);
-    c.cell.span = spans->span;
-    for (int32_t left = spans->n; left > 0; left -= c.cell.n) {
+    struct pel_spans rows = *spans;
+    pel_cells_open(&c, &p->base, spans);
+    for (int32_t left = spans->n; left > 0; left -= rows.n) {
         if (left == spans->n || narrow) {
-            set_cell(&c, p, product_at(p, 0, c.cell.y, is_padded(p)));
+            set_cell(&c, p, product_at(p, 0, rows.y, is_padded(p)));
             pel_cells_color(&c);
         }
         const uint32_t value = c.value;
-        pel_cells_keep(&c);
-        const int32_t count = narrow ? 0 : pel_cells_pass(&c, 8 * left);
-        c.cell.n = narrow ? 1 : left;
+        void (*const draw)(const struct pel_spans *, uint32_t) = c.draw;
+        int32_t count = narrow ? 0 : pel_cells_pass(&c, 8 * left);
+        rows.n = narrow ? 1 : left;
         if (count > 0) {
-            next_cells(&c, p, count);
-            for (c.cell.n = 0; c.error < 0 && c.cell.n < left; c.cell.n++)
+            do
+                next_cell(&c, p);
+            while (--count);
+            for (rows.n = 0; c.error < 0 && rows.n < left; rows.n++)
                 c.error += growth;
         }
-        if (c.cell.n > 0)
-            pel_cells_paint(&c, value);
-        c.cell.span += c.cell.n;
-        c.cell.y += c.cell.n * c.cell.step;
+        if (rows.n > 0)
+            pel_fill_value(&rows, value, draw);
+        rows.span += rows.n;
+        rows.y += rows.n * rows.step;
     }
 }
 
@@ -185,10 +174,10 @@ struct way {
 static PEL_NOINLINE_32 void set_step(struct way *w)
 {
     const struct pel_linear *p = w->paint;
+    int64_t place;
     w->step.outside = is_padded(p) ? 256 * (int64_t)p->d.x : 0;
-    w->step.error = p->step;
-    int64_t place = pel_divide_64(&w->step.error, p->square);
-    (void)pel_divide_64(&place, p->base.period);
+    place = pel_divide_64(p->step, p->square, &w->step.error);
+    (void)pel_divide_64(place, p->base.period, &place);
     w->step.place = (int32_t)place * p->way;
 }
 
@@ -198,8 +187,7 @@ static PEL_NOINLINE_32 void way_start(void *way, int32_t x, int32_t y)
     const struct pel_linear *p = w->paint;
     const int64_t product = along(p, pel_pixel_center(x), pel_pixel_center(y));
     w->at.outside = is_padded(p) ? product + (p->way >> 31) : 0;
-    w->at.error = product_at(p, x, y, false);
-    w->at.place = find_cell(p, false, &w->at.error);
+    w->at.place = find_cell(p, product_at(p, x, y, false), false, &w->at.error);
 }
 
 static PEL_NOINLINE_32 void way_colors(void *way, int32_t n, pel_color *out)
@@ -236,7 +224,25 @@ static PEL_NOINLINE_32 void fill_pixels(const struct pel_linear *p,
     pel_cells_put(spans, &w, way_start, way_colors);
 }
 
-/* Opaque, of cells 1/2 to WIDEST px wide: vectors are faster with others. */
+/* Rows are drawn one by one where boundaries lie far apart from row to row, and
+ * rows cross many of them. */
+static void fill_cells(const struct pel_paint *paint,
+                       const struct pel_spans *spans)
+{
+    const struct pel_linear *p = (const void *)paint;
+    const int64_t down = pel_size_of(p->d.y);
+    const bool narrow = PEL_CELL_ROWS > 1 && p->step >= NARROW * p->square &&
+                        pel_cells_are_many(&p->base, spans);
+    const bool far = PEL_CELL_ROWS > 1 && down > 32 * p->d.x && down > p->cell;
+    const int32_t rows = far ? 1 : PEL_CELL_ROWS;
+    if (narrow && spans->surface->format->put)
+        fill_pixels(p, spans);
+    else
+        pel_cells_fill(paint, spans, narrow ? 0 : rows, start, end_cells);
+}
+
+/* Opaque, and of cells that are 1/2 to WIDEST px wide: vectors are faster with
+ * others. */
 static bool can_walk(const struct pel_linear *p, const struct pel_channels *c)
 {
     const pel_color *const colors = p->base.ramp.colors;
@@ -245,19 +251,21 @@ static bool can_walk(const struct pel_linear *p, const struct pel_channels *c)
            p->cell < pel_product(WIDEST, p->d.x) && p->d.x < 2 * p->cell;
 }
 
-/* Fills the rows of a dither that can_walk, which shows every cell, from the
- * lowest product on. False, and nothing is done, unless the hull is all on one
- * way from the first cell to the last: errors are below 256 WIDEST d.x < 2^30.
- */
+/* Fills the rows of a dither, which shows every cell, from the row where
+ * products are least on. False, and nothing is done, unless it can be walked,
+ * and the hull is all on one way from the first cell to the last: then errors
+ * are below 256 WIDEST d.x < 2^30. */
 static PEL_NOINLINE_32 bool fill_walked(const struct pel_linear *p,
                                         const struct pel_spans *spans)
 {
+    const struct pel_channels *const channels =
+        spans->surface->format->channels;
     const int64_t growth = spans->step ? pel_size_of(p->d.y) : 0;
     const bool up = p->d.y < 0;
     const int32_t last = spans->n - 1;
     struct pel_span hull;
     struct pel_cells c;
-    if (!pel_spans_hull(&hull, spans->span, spans->n))
+    if (!can_walk(p, channels) || !pel_spans_hull(&hull, spans->span, spans->n))
         return false;
     const int64_t least = product_at(
         p, hull.x0, spans->y + up * last * spans->step, is_padded(p));
@@ -270,9 +278,9 @@ static PEL_NOINLINE_32 bool fill_walked(const struct pel_linear *p,
                             .step = p->d.x};
     c.gradient = &p->base;
     set_cell(&c, p, least);
-    next_cells(&c, p, 1);
+    next_cell(&c, p);
     for (int32_t i = 0; i <= last; i++, c.error += growth) {
-        for (; c.error >= 0; next_cells(&c, p, 1))
+        for (; c.error >= 0; next_cell(&c, p))
             pel_cells_go(&c);
         const int32_t k = up ? last - i : i;
         const struct pel_span run = spans->span[k];
@@ -281,38 +289,22 @@ static PEL_NOINLINE_32 bool fill_walked(const struct pel_linear *p,
         pel_mix_start(&walk.mix, &p->base, c.place, p->way);
         walk.error = (int32_t)c.error + p->d.x * (run.x0 - hull.x0);
         walk.rest = c.rest;
-        const struct pel_surface *s = spans->surface;
-        const int32_t y = spans->y + k * spans->step, n = run.x1 - run.x0;
-        if (!s->format->channels->walk(s, run.x0, y, n, &walk))
+        if (!channels->walk(spans->surface, run.x0, spans->y + k * spans->step,
+                            run.x1 - run.x0, &walk))
             return false;
     }
     return true;
 }
 
-/* Rows are drawn one by one that boundaries cross far apart, and many of them.
- */
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_linear *p = (const void *)paint;
-    const int64_t down = pel_size_of(p->d.y);
-    const bool narrow = PEL_CELL_ROWS > 1 && p->step >= NARROW * p->square &&
-                        pel_cells_are_many(&p->base, spans);
-    const bool far = PEL_CELL_ROWS > 1 && down > 32 * p->d.x && down > p->cell;
-    const int32_t rows = narrow ? 0 : far ? 1 : PEL_CELL_ROWS;
-    if (PEL_CELL_ROWS > 1 && can_walk(p, spans->surface->format->channels) &&
-        fill_walked(p, spans))
-        return;
-    if (narrow && spans->surface->format->put)
-        fill_pixels(p, spans);
-    else
-        pel_cells_fill(paint, spans, rows, start, end_cells);
-}
-
-static void across_fill(const struct pel_paint *paint,
-                        const struct pel_spans *spans)
-{
-    if (!pel_cells_copy((const void *)paint, spans, fill))
-        fill(paint, spans);
+    if (PEL_CELL_ROWS > 1 && p->d.x == 0)
+        fill_level(p, spans);
+    else if (PEL_CELL_ROWS == 1 ||
+             ((p->d.y || !pel_cells_copy(&p->base, spans, fill_cells)) &&
+              !fill_walked(p, spans)))
+        fill_cells(paint, spans);
 }
 
 enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
@@ -327,10 +319,7 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     struct pel_point d = {to.x - from.x, to.y - from.y};
     if ((d.x | d.y) == 0)
         return PEL_ERROR_SIZE;
-    paint->base.paint.fill = PEL_CELL_ROWS == 1 ? fill
-                             : d.x == 0         ? level_fill
-                             : d.y == 0         ? across_fill
-                                                : fill;
+    paint->base.paint.fill = fill;
     const int32_t onward = d.x || PEL_CELL_ROWS == 1 ? d.x : d.y;
     paint->way = (onward > 0) - (onward < 0);
     if (paint->way < 0) {
@@ -342,8 +331,8 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     paint->square = along(paint, from.x + d.x, from.y + d.y);
     paint->step = pel_product(unit_of(paint), d.x);
     if (PEL_CELL_ROWS > 1) {
-        int64_t rest = paint->square;
-        paint->cell = pel_divide_64(&rest, unit_of(paint));
+        int64_t rest;
+        paint->cell = pel_divide_64(paint->square, unit_of(paint), &rest);
         paint->cell_rest = (int32_t)rest;
     }
     return PEL_OK;

@@ -31,20 +31,14 @@ static PEL_NOINLINE_32 void add_circle(struct pel_cells *c,
     c->error += way < 0 ? -square : square;
 }
 
-static PEL_HOT_LOOP void move_circle(struct pel_cells *c,
-                                     const struct pel_radial *p, int32_t count)
-{
-    add_circle(c, p, c->way);
-    pel_cells_move(c, count, p->width, p->rest, p->base.cells);
-    add_circle(c, p, -c->way);
-}
-
 static PEL_HOT bool end_cells(struct pel_cells *c, int32_t count)
 {
     const struct pel_radial *p = (const void *)c->gradient;
     const struct pel_point center = p->rings.center;
     const int32_t way = c->way;
-    move_circle(c, p, count);
+    add_circle(c, p, way);
+    pel_cells_move(c, count, p->width, p->rest, p->base.cells);
+    add_circle(c, p, -way);
     return pel_cells_end(c, way * (pel_pixel_center(c->x) - center.x + 128),
                          way * (pel_pixel_center(c->cell.y) - center.y + 128),
                          way * 256);
@@ -85,8 +79,8 @@ static PEL_NOINLINE_32 void find_ring(struct pel_cells *c,
                                       const struct pel_radial *p)
 {
     const int32_t radius = p->rings.radius, n = p->base.cells;
+    const int32_t most = n - 1 - p->first, some = c->error != 0;
     int32_t copy = quotient(c->whole, radius);
-    const int32_t some = c->error != 0, most = n - 1 - p->first;
     int32_t part = quotient(
         pel_product(c->whole - copy * radius + some, n) - some, radius);
     if (c->way < 0 && p->base.ramp.spread == PEL_PAD && (copy || part > most)) {
@@ -94,19 +88,18 @@ static PEL_NOINLINE_32 void find_ring(struct pel_cells *c,
         part = most;
     }
     const bool beyond = part > most;
-    c->place = (pel_cell_place)pel_cells_place(
-        &p->base, copy + beyond, part + p->first - (beyond ? n : 0));
+    c->place = pel_cells_place(&p->base, copy + beyond,
+                               part + p->first - (beyond ? n : 0));
     const int64_t ring = pel_product(part + (c->way < 0), radius);
     const int32_t begin = quotient(ring, n);
     c->whole = copy * radius + begin;
     c->rest = (int32_t)((uint32_t)ring - (uint32_t)begin * (uint32_t)n);
 }
 
-/* Chooses the part of the batch on one side, and measures the square of the
- * distance of the pixel where the walk begins. */
-static PEL_HOT_LOOP void start_side(struct pel_cells *c,
-                                    const struct pel_radial *p)
+/* The part of the batch on one side. */
+static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
 {
+    const struct pel_radial *p = (const void *)c->gradient;
     const int32_t split = pel_first_pixel(p->rings.center.x);
     c->way = 1;
     if (c->x < split) {
@@ -114,24 +107,12 @@ static PEL_HOT_LOOP void start_side(struct pel_cells *c,
         c->hi = pel_min(c->hi, split);
     }
     c->error = pel_radial_square(p, c->x, first_row(c, p->rings.center.y));
-}
-
-static PEL_HOT_LOOP void start_error(struct pel_cells *c,
-                                     const struct pel_radial *p)
-{
+    c->whole = root_of(c->error);
+    find_ring(c, p);
     c->error = (pel_radial_square(p, c->x, c->cell.y) >> 9) - 1;
     if (c->way < 0)
         c->error = ~c->error;
     add_circle(c, p, -c->way);
-}
-
-static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
-{
-    const struct pel_radial *p = (const void *)c->gradient;
-    start_side(c, p);
-    c->whole = root_of(c->error);
-    find_ring(c, p);
-    start_error(c, p);
 }
 
 /* A way along a row from pixel to pixel, over many rings: the largest whole
