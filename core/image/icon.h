@@ -1,10 +1,11 @@
 /* Icons: parts of paths with colours, gradients and strokes, at any size and
  * angle from one table, as `pel import ICON.svg` writes it. Icons of one size
- * that stand upright take less time as pictures (`--size`).
+ * that stand upright take less time as pictures (`--icon-size`).
  *
- *     static uint64_t scratch[PEL_SMOOTH_PATH_SCRATCH_SIZE(64, 48 + 3) / 8 +
- * 1]; struct pel_icon_shape home = {.icon = &icon_home, .kind =
- * &pel_icon_smooth}; pel_icon_place(&home, PEL_PX(48), 0, pel_at(32, 32));
+ *     static uint64_t scratch[PEL_ICON_SCRATCH_SIZE(64, 48 + 3) / 8 + 1];
+ *     struct pel_icon_shape home = {.icon = &icon_home,
+ *                                   .kind = &pel_icon_smooth};
+ *     pel_icon_place(&home, PEL_PX(48), 0, pel_at(32, 32));
  *     pel_icon(&screen, &home, scratch, sizeof scratch);
  */
 #ifndef PEL_IMAGE_ICON_H
@@ -15,13 +16,14 @@
 
 PEL_BEGIN_DECLS
 
-/* What links the code that draws parts: without edges in grey or with them, and
- * of icons without strokes or of all. */
+/* What draws parts, aliased or smooth; the first of each for icons without
+ * strokes, the second for all. A program links the code of those that it names.
+ */
 struct pel_icon_kind;
 extern const struct pel_icon_kind pel_icon_aliased, pel_icon_aliased_strokes,
     pel_icon_smooth, pel_icon_smooth_strokes;
 
-/* And that of gradients, which assets with some name. */
+/* What draws gradients: an asset that has some names it, and so links it. */
 extern const struct pel_icon_gradients pel_icon_gradients;
 
 struct pel_icon_shape {
@@ -50,12 +52,13 @@ struct pel_rect pel_icon_box(const struct pel_icon_shape *shape);
     (PEL_SMOOTH_PATH_SCRATCH_SIZE(sides, width) + PEL_ICON_SIZE)
 
 /* Draws the parts one over the other, each as pel_path_fill, pel_path_stroke or
- * their smooth twins do; of the scratch memory the row of pixels is no wider
- * than pel_icon_box. A gradient shows at the centre of each
- * pixel, d axes from its frame's origin, the color of a place that is less than
- * 3 + d 4,096ths off, within 2 steps; beyond 8 axes a radial one is as there.
- * Errors are those of the first part that has one, and the icon ends there;
- * PEL_ERROR_FORMAT, too: a kind without strokes for an icon that has some. */
+ * the smooth functions of the same names do; no row of pixels is wider than
+ * pel_icon_box. A gradient shows at the centre of each pixel, d axes from its
+ * frame's origin, the color of a place that is less than 3 + d 4,096ths off,
+ * within 2 steps; beyond 8 axes a radial one is as there. Errors are those of
+ * the first part that has one, and the icon ends there; and PEL_ERROR_NULL,
+ * PEL_ERROR_SCRATCH (not aligned to 8, or too small), PEL_ERROR_FORMAT: a kind
+ * without strokes for an icon that has some. */
 enum pel_status pel_icon(const struct pel_surface *surface,
                          const struct pel_icon_shape *shape, void *scratch,
                          size_t size);

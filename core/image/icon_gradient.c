@@ -102,8 +102,7 @@ static uint64_t step_of(int32_t b, int64_t area)
     return (uint64_t)pel_divide_64(b * INT64_C(4294967296), area, &rest);
 }
 
-/* The axis that grows with x by `x` sub-pixels of the other one's, and is 0 at
- * `from`. */
+/* (p - from) x d / area of the centre of a pixel p, in steps of x and y. */
 static void set_axis(struct pel_icon_axis *axis, struct pel_point from,
                      struct pel_point d, int64_t area)
 {
@@ -114,7 +113,8 @@ static void set_axis(struct pel_icon_axis *axis, struct pel_point from,
     axis->at = (uint64_t)((int64_t)at >> 8);
 }
 
-/* u is (p - from) x b / (a x b), v is a x (p - from) / (a x b). */
+/* u is (p - from) x b / (a x b), v is (p - from) x a / (a x b), whose sign does
+ * not matter: it is squared. */
 static bool make(struct pel_icon_paint *paint,
                  const struct pel_icon_gradient *gradient,
                  const struct pel_icon_shape *shape)

@@ -5,8 +5,8 @@
 #include "../path/path.h"
 #include "icon.h"
 
-/* u or v of a gradient in 2^-24, modulo 2^64: at a pixel's centre it is
- * at + x step_x + y step_y. */
+/* u or v of a gradient in 2^-24, modulo 2^64: at the centre of pixel (x, y) it
+ * is at + x * axis.x + y * axis.y. */
 struct pel_icon_axis {
     uint64_t at, x, y;
 };

@@ -18,7 +18,7 @@
  *
  * A curve becomes lines: a number that depends on the curve alone, so bands,
  * tiles and clips change no pixel, and what is covered is what pel_polygon
- * covers of these lines. Smooth twins are in smooth_path.h. */
+ * covers of these lines. The smooth ones are in smooth_path.h. */
 #ifndef PEL_PATH_PATH_H
 #define PEL_PATH_PATH_H
 

@@ -19,7 +19,7 @@ struct pel_mapping {
     pel_color (*vertex)(const struct pel_frame *frame, uint32_t vertex);
 
     /* The surface of frame->work->triangle, pixel by pixel, and a paint that
-     * multiplies it by the corners' colors. NULL: none. */
+     * multiplies it by the colors of the vertices. NULL: none. */
     const struct pel_color_paint *(*surface)(struct pel_frame *frame);
     pel_shade_function *modulate;
 };
@@ -49,9 +49,9 @@ struct pel_mesh_texture {
     int32_t span; /* of pel_map_perspective; 0 is 1, exact */
 };
 
-/* Sets texels, wrap and alpha to those of an asset's texture, whose
- * pixels are of that format; mapping, sampler and span stay. The surface is the
- * caller's, and lives as long as the texture. PEL_ERROR_NULL, errors of
+/* Sets texels, wrap and alpha to those of an asset's texture, whose pixels are
+ * of that format; mapping, sampler and span stay. The surface is the caller's,
+ * and lives as long as the texture. PEL_ERROR_NULL, errors of
  * pel_image_asset_surface. */
 enum pel_status pel_mesh_texture_of_image(struct pel_mesh_texture *texture,
                                           struct pel_surface *surface,

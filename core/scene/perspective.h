@@ -26,8 +26,8 @@ extern const struct pel_interpolation pel_in_world;
 #define PEL_PERSPECTIVE_SCRATCH_SIZE \
     PEL_CAST(size_t, sizeof(void *) > 4 ? 464 : 440)
 
-/* Shadings of shading.h with colors, normals and positions as
- * they are in the world: pel_shade_gouraud, ... */
+/* pel_shade_gouraud, pel_shade_lit_gouraud and pel_shade_phong, with colors,
+ * normals and positions as they are in the world. */
 extern const struct pel_shading pel_perspective_gouraud;
 extern const struct pel_shading pel_perspective_lit_gouraud;
 extern const struct pel_shading pel_perspective_phong;

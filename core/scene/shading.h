@@ -97,9 +97,8 @@ pel_color pel_frame_light_vertex(const struct pel_frame *frame, uint32_t vertex,
                                  pel_color surface);
 
 /* Light at every pixel: normal, position and surface color are linear on
- * screen, the normal scaled to length 1
- * without a division. Where opposite normals cancel out there is ambient light
- * alone. */
+ * screen, and the normal is scaled to length 1 without a division. Where
+ * opposite normals cancel out there is ambient light alone. */
 extern const struct pel_shading pel_shade_phong;
 
 /* Its paint, of surface colors. */

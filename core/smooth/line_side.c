@@ -3,12 +3,13 @@
 #include "smooth_edge.h"
 
 bool pel_smooth_cut(struct pel_smooth_strip *s,
-                    const struct pel_smooth_curve *b, int32_t k, bool upright)
+                    const struct pel_smooth_curve *curve, int32_t k,
+                    bool upright)
 {
     for (int32_t i = 0; i < 2; i++) {
-        const struct pel_smooth_place *const p = i ? &b->to : &b->from;
+        const struct pel_smooth_place *const p = i ? &curve->to : &curve->from;
         const int32_t v = pel_magnitude(p->y), u = pel_magnitude(p->x);
-        if (k != (i ? b->count - 1 : 0))
+        if (k != (i ? curve->count - 1 : 0))
             continue;
         if (i == upright && v > s->near) {
             s->near = v;
@@ -24,13 +25,13 @@ bool pel_smooth_cut(struct pel_smooth_strip *s,
 }
 
 static PEL_NOINLINE_32 void set_place(struct pel_smooth_far_place *far,
-                                      const struct pel_smooth_curve *b,
+                                      const struct pel_smooth_curve *curve,
                                       bool last)
 {
     const struct pel_smooth_place *const p =
-        last == b->hole ? &b->from : &b->to;
-    far->x = (int64_t)b->center.x * 256 + p->x;
-    far->y = (int64_t)b->center.y * 256 + p->y;
+        last == curve->hole ? &curve->from : &curve->to;
+    far->x = (int64_t)curve->center.x * 256 + p->x;
+    far->y = (int64_t)curve->center.y * 256 + p->y;
 }
 
 void pel_smooth_joint(const struct pel_smooth_outline *o, int32_t k,

@@ -30,21 +30,20 @@ bool pel_smooth_cut(struct pel_smooth_strip *strip,
                     const struct pel_smooth_curve *curve, int32_t k,
                     bool upright);
 
-/* An outline with two of them. */
+/* An outline of two curves and the lines between them. */
 struct pel_smooth_lines {
     struct pel_smooth_outline outline; /* first */
     struct pel_smooth_line *line;
     bool wide; /* a row may hold more than the range of a strip */
 };
 
-/* Two curves, and no line; with all else that lines need of the outline. */
+/* Begins it with two curves, which the caller sets, and no line yet. */
 void pel_smooth_lines_begin(struct pel_smooth_lines *lines,
                             struct pel_smooth_curve *curve,
                             struct pel_smooth_line *line, bool wide);
 
 /* Adds a line in a direction, from curve k to the next one; none if it is
- * level.
- */
+ * level. */
 void pel_smooth_lines_add(struct pel_smooth_lines *lines,
                           struct pel_point direction, int32_t k);
 

@@ -3,10 +3,10 @@
 /* Columns whose areas are summed at a time. */
 enum { COLUMNS = PEL_SMOOTH_TINY ? 8 : 16 };
 
-void pel_smooth_curve_set(struct pel_smooth_curve *b, int32_t radius)
+void pel_smooth_curve_set(struct pel_smooth_curve *curve, int32_t radius)
 {
-    pel_smooth_circle_set(&b->circle, radius);
-    b->row = INT32_MAX;
+    pel_smooth_circle_set(&curve->circle, radius);
+    curve->row = INT32_MAX;
 }
 
 bool pel_smooth_outline_begin(struct pel_smooth_outline *o,
@@ -29,58 +29,59 @@ bool pel_smooth_outline_begin(struct pel_smooth_outline *o,
 /* Where the circle is at the top of a row; between the corners of a rectangle
  * as far away as it can be. */
 static int32_t curve_at(const struct pel_smooth_outline *o,
-                        const struct pel_smooth_curve *b, int32_t y)
+                        const struct pel_smooth_curve *curve, int32_t y)
 {
-    const int32_t above = b->center.y - y * 256;
+    const int32_t above = curve->center.y - y * 256;
     const int32_t distance = pel_max(above, -above - o->spread.y);
-    return distance > 0 ? pel_smooth_arc_at(&b->circle, distance, false)
-                        : b->circle.reach;
+    return distance > 0 ? pel_smooth_arc_at(&curve->circle, distance, false)
+                        : curve->circle.reach;
 }
 
 static void go_to(const struct pel_smooth_outline *o,
-                  struct pel_smooth_curve *b, int32_t y)
+                  struct pel_smooth_curve *curve, int32_t y)
 {
-    if (b->row == y)
+    if (curve->row == y)
         return;
-    b->at[0] = b->row == y - 1 ? b->at[1] : curve_at(o, b, y);
-    b->at[1] = curve_at(o, b, y + 1);
-    b->row = y;
+    curve->at[0] = curve->row == y - 1 ? curve->at[1] : curve_at(o, curve, y);
+    curve->at[1] = curve_at(o, curve, y + 1);
+    curve->row = y;
 }
 
 /* What the kth quarter of a circle has in a row, whose top is so far below its
  * upper centres: false where it has nothing. Places a unit outside of the
  * circle do not matter. */
 static inline bool find_quarter(const struct pel_smooth_outline *o,
-                                const struct pel_smooth_curve *b, int32_t down,
-                                int32_t k, struct pel_smooth_crossing *c)
+                                const struct pel_smooth_curve *curve,
+                                int32_t down, int32_t k,
+                                struct pel_smooth_crossing *c)
 {
     struct pel_smooth_strip *const s = &c->strip;
-    const int32_t quadrant = (b->first + k) & 3;
+    const int32_t quadrant = (curve->first + k) & 3;
     const bool below = quadrant < 2;
     const int32_t near = below ? down - o->spread.y : -256 - down;
-    const int32_t far = pel_min(near + 256, b->circle.radius);
+    const int32_t far = pel_min(near + 256, curve->circle.radius);
     if (near >= far || far <= 0)
         return false;
-    s->circle = &b->circle;
+    s->circle = &curve->circle;
     s->near = pel_max(near, 0) * 256;
     s->far = far * 256;
-    s->at_near = near > 0 ? b->at[!below] : b->circle.reach;
-    s->at_far = pel_min(b->at[below], s->at_near);
+    s->at_near = near > 0 ? curve->at[!below] : curve->circle.reach;
+    s->at_far = pel_min(curve->at[below], s->at_near);
     c->below = below;
     c->other = -1;
     c->left = quadrant == 1 || quadrant == 2;
-    c->rising = c->left != b->hole;
-    c->center = c->left ? -b->center.x : b->center.x + o->spread.x;
-    return !o->cut || o->cut(s, b, k, quadrant & 1);
+    c->rising = c->left != curve->hole;
+    c->center = c->left ? -curve->center.x : curve->center.x + o->spread.x;
+    return !o->cut || o->cut(s, curve, k, quadrant & 1);
 }
 
 static inline void visit_curve(const struct pel_smooth_outline *o,
-                               const struct pel_smooth_curve *b, int32_t down,
-                               struct pel_smooth_visitor *visitor)
+                               const struct pel_smooth_curve *curve,
+                               int32_t down, struct pel_smooth_visitor *visitor)
 {
     struct pel_smooth_crossing c;
-    for (int32_t k = 0; k < b->count; k++)
-        if (find_quarter(o, b, down, k, &c))
+    for (int32_t k = 0; k < curve->count; k++)
+        if (find_quarter(o, curve, down, k, &c))
             visitor->visit(visitor, &c);
 }
 
@@ -110,13 +111,14 @@ void pel_smooth_others(struct pel_smooth_outline *o, int32_t y,
 void pel_smooth_visit_curves(struct pel_smooth_outline *o, int32_t y,
                              struct pel_smooth_visitor *visitor)
 {
-    for (struct pel_smooth_curve *b = o->curve; b < o->curve + o->curves; b++) {
-        const int32_t down = y * 256 - b->center.y;
-        if (down <= -b->circle.radius - 256 ||
-            down >= b->circle.radius + o->spread.y)
+    for (struct pel_smooth_curve *curve = o->curve;
+         curve < o->curve + o->curves; curve++) {
+        const int32_t down = y * 256 - curve->center.y;
+        if (down <= -curve->circle.radius - 256 ||
+            down >= curve->circle.radius + o->spread.y)
             continue;
-        go_to(o, b, y);
-        visit_curve(o, b, down, visitor);
+        go_to(o, curve, y);
+        visit_curve(o, curve, down, visitor);
     }
 }
 

@@ -58,14 +58,15 @@ struct pel_smooth_outline {
                   struct pel_smooth_crossing *crossing);
 };
 
-/* After it has got `spread` to `others`, and `mirrored`. False: nothing in the
- * box of pixels can be seen. */
+/* Begins to paint an outline that has all but smooth, seen, inside, mirror_y
+ * and alike, which are set here. False: nothing in the box of pixels can be
+ * seen. */
 bool pel_smooth_outline_begin(struct pel_smooth_outline *outline,
                               const struct pel_surface *surface,
                               const struct pel_rect *box,
                               const struct pel_paint *paint);
 
-/* Sets what follows `hole`. */
+/* Sets what follows `hole`: the circle, and no row yet. */
 void pel_smooth_curve_set(struct pel_smooth_curve *curve, int32_t radius);
 
 /* Paints what is to be seen. */

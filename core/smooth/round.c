@@ -1,13 +1,13 @@
 #include "round.h"
 
-static void set_circle(struct pel_smooth_curve *b, struct pel_point center,
+static void set_circle(struct pel_smooth_curve *curve, struct pel_point center,
                        int32_t radius, bool hole)
 {
-    b->center = center;
-    b->first = 0;
-    b->count = 4;
-    b->hole = hole;
-    pel_smooth_curve_set(b, radius);
+    curve->center = center;
+    curve->first = 0;
+    curve->count = 4;
+    curve->hole = hole;
+    pel_smooth_curve_set(curve, radius);
 }
 
 void pel_smooth_round_set(struct pel_smooth_outline *o,
@@ -24,8 +24,9 @@ void pel_smooth_round_set(struct pel_smooth_outline *o,
         set_circle(curve + 1, center, inner, true);
 }
 
-/* With the column on the left that a shape just touches: as image of one on the
- * right it is a pixel of coverage 0, which is read and stored. */
+/* The box has the column left of what a shape covers, too: as the mirror image
+ * of one on the right it may be a pixel of coverage 0 that is read and stored.
+ */
 bool pel_smooth_round_begin(const struct pel_surface *surface,
                             struct pel_smooth_outline *o,
                             const struct pel_paint *paint)

@@ -56,10 +56,11 @@ enum { PEL_SMOOTH_BATCH_ROWS = 16, PEL_SMOOTH_BATCH_BYTES = 128 };
 enum { PEL_SMOOTH_BATCH_ROWS = 8, PEL_SMOOTH_BATCH_BYTES = 40 };
 #endif
 
-/* Rows one below the other, of the room that the level gives at which the
- * library is compiled: for shapes of its own. In each are pixels with a
- * coverage before the full ones, and others behind them: two counts, and so
- * many bytes. Where x0 > x1 no pixel is full. */
+/* n rows one below the other, the first is row y. In row i the pixels
+ * at.full[i] are full; count[2 i] pixels before them and count[2 i + 1] behind
+ * them have a coverage each, in `coverage` from left to right, row by row.
+ * Where x0 >= x1 no pixel is full. Only core makes batches: their room depends
+ * on how it is compiled. */
 struct pel_smooth_batch {
     int32_t y, n;
     uint8_t count[2 * PEL_SMOOTH_BATCH_ROWS];
@@ -110,14 +111,15 @@ bool pel_smooth_begin(struct pel_smooth *smooth,
 void pel_smooth_paint(const struct pel_smooth *smooth,
                       const struct pel_smooth_row *row);
 
-/* Paints rows, which lie inside the clip, or those of them that
- * pel_smooth_clip_batch leaves: what is inside its columns. */
+/* Paints rows that lie inside the clip. pel_smooth_clip_batch cuts off what of
+ * other ones lies left or right of it. */
 void pel_smooth_paint_batch(const struct pel_smooth *smooth,
                             const struct pel_smooth_batch *batch);
 void pel_smooth_clip_batch(struct pel_smooth_batch *batch,
                            const struct pel_rect *clip);
 
-/* The same rows one above the other, from row y on: changes nothing in the end.
+/* Paints the first row of a batch as row y, and each of the others above the
+ * one before; the batch is the same in the end. Not where PEL_SMOOTH_TINY is 1.
  */
 void pel_smooth_paint_upwards(const struct pel_smooth *smooth,
                               struct pel_smooth_batch *batch, int32_t y);

@@ -22,19 +22,19 @@ static PEL_NOINLINE struct pel_smooth_place place_at(uint16_t angle,
 
 /* The curve of a circle between two angles. Once through a quadrant, or back to
  * it. */
-static PEL_NOINLINE void set_curve(struct pel_smooth_curve *b,
+static PEL_NOINLINE void set_curve(struct pel_smooth_curve *curve,
                                    struct pel_point center, struct pel_angles a,
                                    int32_t radius)
 {
     const int32_t steps = ((a.to >> 14) - (a.from >> 14)) & 3;
     const bool back = (uint16_t)(a.to - a.from) > 16384;
-    b->center = center;
-    b->from = place_at(a.from, radius);
-    b->to = place_at(a.to, radius);
-    b->first = (uint8_t)(a.from >> 14);
-    b->count = (uint8_t)(steps == 0 && back ? 5 : steps + 1);
-    b->hole = false;
-    pel_smooth_curve_set(b, radius);
+    curve->center = center;
+    curve->from = place_at(a.from, radius);
+    curve->to = place_at(a.to, radius);
+    curve->first = (uint8_t)(a.from >> 14);
+    curve->count = (uint8_t)(steps == 0 && back ? 5 : steps + 1);
+    curve->hole = false;
+    pel_smooth_curve_set(curve, radius);
 }
 
 /* The outline: both circles, with an end behind the first one and the second.
@@ -50,7 +50,7 @@ struct arc_outline {
     } of;
 };
 
-static void set_half(struct pel_smooth_curve *b,
+static void set_half(struct pel_smooth_curve *curve,
                      const struct pel_arc_shape *arc, uint16_t angle,
                      uint16_t turn)
 {
@@ -60,7 +60,7 @@ static void set_half(struct pel_smooth_curve *b,
                                  arc->center.y + ((m.y + 128) >> 8)};
     const struct pel_angles angles = {(uint16_t)(angle + turn),
                                       (uint16_t)(angle + turn + 32768)};
-    set_curve(b, at, angles, (arc->outer - arc->inner) >> 1);
+    set_curve(curve, at, angles, (arc->outer - arc->inner) >> 1);
 }
 
 /* What rounding leaves open between curve k and the next one, of which those of
@@ -114,16 +114,16 @@ static void widen(struct pel_rect *box, int32_t x, int32_t y)
 }
 
 /* Pixels around a curve: its ends, and the axes that it passes. */
-static void add_box(struct pel_rect *box, const struct pel_smooth_curve *b)
+static void add_box(struct pel_rect *box, const struct pel_smooth_curve *curve)
 {
-    const struct pel_point c = b->center;
-    const int32_t r = b->circle.radius;
-    for (int32_t k = b->first + 1; k < b->first + b->count; k++) {
+    const struct pel_point c = curve->center;
+    const int32_t r = curve->circle.radius;
+    for (int32_t k = curve->first + 1; k < curve->first + curve->count; k++) {
         const int32_t way = k & 2 ? -r : r;
         widen(box, c.x + (k & 1 ? 0 : way), c.y + (k & 1 ? way : 0));
     }
-    widen(box, c.x + (b->from.x >> 8), c.y + (b->from.y >> 8));
-    widen(box, c.x + (b->to.x >> 8), c.y + (b->to.y >> 8));
+    widen(box, c.x + (curve->from.x >> 8), c.y + (curve->from.y >> 8));
+    widen(box, c.x + (curve->to.x >> 8), c.y + (curve->to.y >> 8));
 }
 
 static struct pel_rect box_of(const struct pel_smooth_outline *o)

@@ -13,9 +13,10 @@ enum { COLORS = PEL_64BIT ? 128 : 64, NARROW = 8 };
 /* The pixels before the full ones, those behind them, or all. */
 enum part { LEFT, RIGHT, ALL };
 
-/* Rows whose colors come in one call. They begin `pitch` colors apart, and as
- * many more as their columns do, so that each ends before the next one: edges
- * go on from row to row, and little is left free between them. */
+/* Rows whose colors come in one call. In the buffer a row begins `pitch` colors
+ * behind the one before, and as many more as it begins further right: pitch is
+ * so large that none reaches into the next, and as edges go on from row to row,
+ * little is left free between them. */
 struct rows {
     int32_t n, pitch, step;
     struct pel_smooth_row row[PEL_SMOOTH_BATCH_ROWS];

@@ -1,20 +1,21 @@
-/* One color over pixels of 16 bits, in the three formats of 5-6-5 bits, and of
- * 32 bits, in the four of 8-8-8. */
+/* Colors mixed into pixels by the words of the commonest formats, in loops of
+ * their own. Not where code is to be small (PEL_SMOOTH_TINY). */
 #ifndef PEL_SMOOTH_SMOOTH_MIX_H
 #define PEL_SMOOTH_SMOOTH_MIX_H
 
 #include "smooth.h"
 
 /* Pixels that have a coverage, in n rows: the first is row y, the next one
- * `step` below. In a row one run of them ends at an x, and another one begins
- * at the next x. */
+ * `step` below. Each row has two of x, count and, for each pixel, coverage: the
+ * run that ends at the first x, and the run that begins at the second. */
 struct pel_smooth_runs {
     int32_t y, step, n;
     const int32_t *x;
     const uint8_t *count, *coverage;
 };
 
-/* Is the surface of one of these formats? */
+/* Is the surface of one of the three formats of 5-6-5 bits, or of the four with
+ * 8-8-8 bits in words of 32? */
 static inline bool pel_smooth_mixes(const struct pel_surface *surface)
 {
     const uint8_t id = surface->format->id;
@@ -22,8 +23,7 @@ static inline bool pel_smooth_mixes(const struct pel_surface *surface)
            (id >= PEL_FORMAT_XRGB8888 && id <= PEL_FORMAT_BGRX8888);
 }
 
-/* Mixes the color with the coverage for its alpha into them. Not where code is
- * to be small (PEL_SMOOTH_TINY). */
+/* Mixes one color into the runs of such a surface, its alpha times coverage. */
 void pel_smooth_mix(const struct pel_surface *surface,
                     const struct pel_smooth_runs *runs, pel_color color);
 

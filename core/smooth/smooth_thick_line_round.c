@@ -34,17 +34,17 @@ static uint8_t quadrant_of(struct pel_smooth_place d)
 }
 
 /* The half of a circle from a place on clockwise. */
-static PEL_NOINLINE_32 void set_half(struct pel_smooth_curve *b,
+static PEL_NOINLINE_32 void set_half(struct pel_smooth_curve *curve,
                                      struct pel_smooth_place from,
                                      int32_t radius)
 {
-    b->from = from;
-    b->to.x = -from.x;
-    b->to.y = -from.y;
-    b->first = quadrant_of(from);
-    b->count = 3;
-    b->hole = false;
-    pel_smooth_curve_set(b, radius);
+    curve->from = from;
+    curve->to.x = -from.x;
+    curve->to.y = -from.y;
+    curve->first = quadrant_of(from);
+    curve->count = 3;
+    curve->hole = false;
+    pel_smooth_curve_set(curve, radius);
 }
 
 /* From the upper end to the lower one, or from the left to the right; without

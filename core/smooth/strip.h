@@ -115,7 +115,8 @@ struct pel_smooth_side {
     struct pel_span columns;
     int32_t bytes;
     bool left, rising;                   /* as of a crossing (outline.h) */
-    const struct pel_smooth_side *image; /* whose bytes it has, or NULL */
+    const struct pel_smooth_side *image; /* its mirror image, whose bytes are
+                                            its own backwards; or NULL */
     const uint8_t *at;                   /* its bytes */
 };
 

@@ -153,17 +153,17 @@ static void note(int32_t height, int32_t y, int32_t *end)
 /* Sides that are none of circles begin and end less than 4 sub-pixels from the
  * ends of curves. */
 static void note_curve(const struct pel_smooth_outline *o,
-                       const struct pel_smooth_curve *b, int32_t y,
+                       const struct pel_smooth_curve *curve, int32_t y,
                        int32_t *end)
 {
-    const int32_t top = b->center.y, bottom = top + o->spread.y;
-    note(top - b->circle.radius, y, end);
+    const int32_t top = curve->center.y, bottom = top + o->spread.y;
+    note(top - curve->circle.radius, y, end);
     note(top, y, end);
     note(bottom, y, end);
-    note(bottom + b->circle.radius, y, end);
+    note(bottom + curve->circle.radius, y, end);
     for (int32_t k = -4; o->cut && k <= 4; k += 8) {
-        note(top + (b->from.y >> 8) + k, y, end);
-        note(top + (b->to.y >> 8) + k, y, end);
+        note(top + (curve->from.y >> 8) + k, y, end);
+        note(top + (curve->to.y >> 8) + k, y, end);
     }
 }
 

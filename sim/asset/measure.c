@@ -333,12 +333,11 @@ static bool measure_drawing(struct drawing *d,
     const long number = strtol(m->views, &end, 10);
     if (*end == '\0' && end != m->views) {
         m->count = (int)pel_min((int32_t)number, VIEWS_MAX);
-        return (number >= 1 && number <= VIEWS_MAX) ||
-                       message_error("--view is '%s': expected a number from 1 "
-                                     "to %d, or a file",
-                                     m->views, VIEWS_MAX)
-                   ? measure_views(d, &s, NULL)
-                   : false;
+        return ((number >= 1 && number <= VIEWS_MAX) ||
+                message_error("--view is '%s': expected a number from 1 to %d, "
+                              "or a file",
+                              m->views, VIEWS_MAX)) &&
+               measure_views(d, &s, NULL);
     }
     const bool done =
         text_lines_read(&file, m->views) && measure_views(d, &s, &file);

@@ -10,12 +10,12 @@
 struct making {
     const struct svg *svg;
     const struct svg_shape *shape; /* at work */
-    double unit;                   /* of a px */
+    double unit;                   /* units in a px */
     struct pel_icon_part *part;
     struct pel_icon_gradient *gradient;
     struct pel_icon_stop *stop;
     uint8_t *verb;
-    int16_t *point; /* pairs of two */
+    int16_t *point; /* x and y in turn */
     size_t parts, gradients, stops, verbs, points;
     double box[4]; /* around all parts, units */
 };
@@ -25,8 +25,9 @@ static bool refuse(const struct making *m, const char *what)
     return message_error_at(m->svg->path, m->shape->line, "%s", what);
 }
 
-/* Of a part or not: sizes are a little more or less than the square root of the
- * area that the matrix gives a square. */
+/* How wide a stroke of width 1 becomes: the root of the area that the matrix
+ * gives a square. Refused where that makes an edge more than 1/8 px wrong, as
+ * the matrix makes it wider one way than the other. */
 static bool stroke_scale(const struct making *m, double *scale)
 {
     const struct svg_matrix *const x = &m->shape->matrix;
@@ -70,7 +71,7 @@ static bool add_points(struct making *m, struct pel_icon_part *part,
     return true;
 }
 
-/* The stops of a gradient, which others may have too. */
+/* Adds the stops of a gradient, or finds the same ones of others. */
 static bool add_stops(struct making *m, const struct svg_frame *f,
                       struct pel_icon_gradient *g)
 {
@@ -97,7 +98,8 @@ static bool add_stops(struct making *m, const struct svg_frame *f,
     return done;
 }
 
-/* A linear one may lie anywhere across its way: near the middle of the icon. */
+/* Moves the frame of a linear gradient across its way, which changes no colour,
+ * to near the middle of the icon. */
 static void come_near(const struct making *m, struct svg_frame *f)
 {
     struct svg_point *const v = f->v;

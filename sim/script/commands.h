@@ -177,8 +177,9 @@ uint32_t script_coverage(const struct script_pen *pen,
  * call. */
 const struct pel_paint *script_paint(const struct script_pen *pen);
 
-/* Of a path, a stroke or a text of outlines: tells, once, where a row had more
- * sides than there is room for. Other errors were found when it was read. */
+/* Of a path, a stroke, a text of outlines or an icon: tells, once, where a row
+ * had more sides than there is room for. Other errors were found when it was
+ * read. */
 void script_finish(struct script_pen *pen, enum pel_status status);
 
 /* Bytes of struct script_paints, memory for any paint. */

@@ -71,9 +71,8 @@ static void draw_icon(struct script_pen *pen, const int32_t *v)
                                    .kind = icon_kind(icon, pen->smooth),
                                    .color = (pel_color)v[4]};
     pel_icon_place(&shape, v[2], v[3], (struct pel_point){v[0], v[1]});
-    const enum pel_status status =
-        pel_icon(pen->surface, &shape, pen->scratch, pen->scratch_size);
-    pen->failed = pen->failed || status == PEL_ERROR_SCRATCH;
+    script_finish(
+        pen, pel_icon(pen->surface, &shape, pen->scratch, pen->scratch_size));
 }
 
 static void draw_scroll(struct script_pen *pen, const int32_t *v)

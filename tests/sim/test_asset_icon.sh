@@ -99,4 +99,18 @@ grep -q 'line 2: icon: #ff0000 over #000000 gives #ff0000' "$work/out" ||
 "$PEL" explain "$work/s.pel" 13 3 | grep -q 'no command touches' || fail "explain 13"
 echo '<svg/>' >"$work/none.svg"
 echo "icon 1 1 9 0 #000000 none.svg" | refused_script 2 "$work/none.svg:1: is no SVG"
+
+# One with more sides in a row than there is room for is told of, in its line.
+awk 'BEGIN {
+    printf "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"48\" height=\"48\">"
+    printf "<path d=\"M0 24"
+    for (i = 0; i < 2100; i++)
+        printf "C%d 24.002 %d 24.001 %d 24", a = i % 2 ? 0 : 48, a, a
+    print "\"/></svg>"
+}' >"$work/level.svg"
+printf 'canvas 40 40 rgb888\noption smooth on\nicon 10 10 32000 0 #000000 level.svg\n' \
+    >"$work/s.pel"
+"$PEL" run "$work/s.pel" -o "$work/o.ppm" 2>"$work/err" && fail "drawn without room"
+grep -q 's.pel:3: icon: a row of pixels has more than 65536 sides' "$work/err" ||
+    fail "no room: $(cat "$work/err")"
 [ -e "$work/failed" ] || echo "icons are imported as they are drawn"
