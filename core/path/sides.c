@@ -1,7 +1,8 @@
 #include "sides.h"
 
-/* Half as many where there is no room, twice as many where there was room for
- * them. Which they are stands in s over the calls, to spare stack. */
+/* Tries half as many rows where there is no room, and goes on with twice as
+ * many where there was room for them. During calls the rows are kept in s
+ * alone, to spare stack. */
 enum pel_status pel_sides_draw(struct pel_sides *s, const struct pel_rect *clip,
                                const struct pel_outline_source *source)
 {

@@ -6,8 +6,9 @@
 #include "../raster/edge.h"
 #include "stroker.h"
 
-/* Of a piece in a row: how far its left one is from the right side of the clip,
- * and its right one from the left side. 0 is that of no piece. */
+/* The borders of a piece in a row, as distances: of the left one from the
+ * clip's right side, of the right one from its left side. Both are 0 without a
+ * piece. */
 struct border {
     int32_t left, right;
 };
@@ -19,8 +20,8 @@ struct bits {
     uint32_t *bits;
     int32_t words;       /* of a row */
     int32_t most;        /* rows at a time */
-    int32_t first, end;  /* rows of the piece, */
-    int32_t top, bottom; /* of all */
+    int32_t first, end;  /* rows of the piece */
+    int32_t top, bottom; /* rows of all pieces */
     struct pel_point from;
     struct pel_edge edge;
 };
@@ -105,7 +106,7 @@ static void end_piece(struct pel_sides *sides)
 
 static const struct pel_sides_kind bits_kind = {.add = add, .end = end_piece};
 
-/* Those of no row yet, above the first one; `most` at a time. */
+/* Begins above the clip; next_rows goes on, by `most` rows at a time. */
 static struct bits *begin(void *memory, const struct pel_rect *clip,
                           int32_t most)
 {

@@ -161,7 +161,7 @@ static void put_sizes(const struct pel_icon_asset *icon, const char *name,
 void report_icon(const struct import_options *options,
                  const struct pel_icon_asset *icon)
 {
-    enum { STRUCT = 60, STOP = 8 };
+    enum { STRUCT = 56, STOP = 8 };
     const size_t parts = icon->parts * sizeof *icon->part;
     const size_t gradients =
         icon->gradients * sizeof *icon->gradient + icon->stops * (size_t)STOP;

@@ -112,8 +112,9 @@ static void begin_root(struct reader *r, struct element *e, const char **list)
     }
     const double x = svg->width / v[2], y = svg->height / v[3];
     const double k = fmin(x, y);
-    if (fabs(x - y) > 0.001 * k && keep && !strstr(keep, "xMidYMid"))
-        svg_refuse(r, "preserveAspectRatio is '%.60s': expected xMidYMid",
+    if (fabs(x - y) > 0.001 * k && keep &&
+        (!strstr(keep, "xMidYMid") || strstr(keep, "slice")))
+        svg_refuse(r, "preserveAspectRatio is '%.60s': expected xMidYMid meet",
                    keep);
     svg->view = (struct svg_point){v[2], v[3]};
     e->matrix = (struct svg_matrix){k,

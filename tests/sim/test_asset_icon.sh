@@ -60,12 +60,24 @@ for name in weather bell wifi battery gear; do
         fail "$name: $(cat "$work/table")"
 done
 
-# The table is what the C takes.
+# The table is what the C takes; the struct has six pointers.
+cat >"$work/size.c" <<'EOF'
+#include <pel/pel.h>
+#include <stdio.h>
+
+int main(void)
+{
+    printf("%zu\n", sizeof(struct pel_icon_asset) - 6 * (sizeof(void *) - 4));
+    return 0;
+}
+EOF
+$CC -std=c99 $WARNINGS -I. $INCLUDE "$work/size.c" -o "$work/size"
 "$PEL" import $icons/icon_gear.svg --name asset -o "$work/a.c" >"$work/table"
 flash=$(sed -n 's/^ *\([0-9]*\)  bytes in flash.*/\1/p' "$work/table")
 cells=$(sed -n 's/.*_verbs\[\([0-9]*\)\].*/1 \1/p; s/.*_points\[\([0-9]*\)\].*/2 \1/p
     s/.*_parts\[\([0-9]*\)\].*/16 \1/p; s/.*_gradients\[\([0-9]*\)\].*/32 \1/p
-    s/.*_stops\[\([0-9]*\)\].*/8 \1/p' "$work/a.c" | awk '{ n += $1 * $2 } END { print n + 60 }')
+    s/.*_stops\[\([0-9]*\)\].*/8 \1/p' "$work/a.c" |
+    awk -v struct="$("$work/size")" '{ n += $1 * $2 } END { print n + struct }')
 [ "$flash" = "$cells" ] || fail "the table has $flash bytes, the C $cells"
 grep -q '^            4-bit mask  16 px   128 ' "$work/table" &&
     grep -q '^            palette8 .* 48 px  3328 ' "$work/table" ||

@@ -205,6 +205,9 @@ static const struct {
     {SMALL "<g>", "expected an SVG file"},
     {SMALL END, "draws nothing"},
     {BEGIN ">" END, "has no size"},
+    {BEGIN "width='48' height='24' viewBox='0 0 9 9' "
+           "preserveAspectRatio='xMidYMid slice'><path d='M1 1h9v9'/>" END,
+     "preserveAspectRatio is 'xMidYMid slice'"},
     {SMALL "<text>a</text>" END, ":2: <text>, which pel does not draw"},
     {SMALL "\n<use href='#a'/>" END, ":3: <use>, which"},
     {SMALL "<image/>" END, "<image>, which"},
