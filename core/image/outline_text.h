@@ -3,8 +3,8 @@
  * (image/glyph_text.h).
  *
  *     const struct pel_point hub = {PEL_PX(120), PEL_PX(120)};
- *     struct pel_outline_text_block label = {.font = &dejavu, .string = "80",
- *                                      .align = PEL_TEXT_CENTER};
+ *     struct pel_outline_text_block label = {
+ *         .font = &dejavu, .string = "80", .align = PEL_TEXT_CENTER};
  *     label.transform = pel_outline_transform(
  *         &dejavu, PEL_PX(18), PEL_DEGREES(45),
  *         pel_polar(hub, PEL_PX(90), PEL_DEGREES(-45)));

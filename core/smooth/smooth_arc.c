@@ -20,8 +20,8 @@ static PEL_NOINLINE struct pel_smooth_place place_at(uint16_t angle,
         (int32_t)(y - (pel_long_product((int32_t)y, e) >> 31))};
 }
 
-/* The curve of a circle between two angles. Once through a quadrant, or back to
- * it. */
+/* Sets the curve of a circle between two angles. Where both lie in one quadrant
+ * it goes through that one alone, or around and back to it: five. */
 static PEL_NOINLINE void set_curve(struct pel_smooth_curve *curve,
                                    struct pel_point center, struct pel_angles a,
                                    int32_t radius)
@@ -37,8 +37,8 @@ static PEL_NOINLINE void set_curve(struct pel_smooth_curve *curve,
     pel_smooth_curve_set(curve, radius);
 }
 
-/* The outline: both circles, with an end behind the first one and the second.
- */
+/* An arc's outline: the outer circle, an end, the inner circle backwards, the
+ * other end. Ends are halves of circles, or lines. */
 struct arc_outline {
     struct pel_smooth_lines lines; /* first */
     union {
@@ -63,8 +63,9 @@ static void set_half(struct pel_smooth_curve *curve,
     set_curve(curve, at, angles, (arc->outer - arc->inner) >> 1);
 }
 
-/* What rounding leaves open between curve k and the next one, of which those of
- * 1 and 3 say where: less than 4 sub-pixels above or below those. */
+/* The upright side that closes what rounding leaves open between curve k and
+ * the next one. One of them, 1 or 3, is an end: the gap is less than 4
+ * sub-pixels above or below it. */
 static bool find_joint(struct pel_smooth_outline *o, int32_t y, int32_t k,
                        struct pel_smooth_crossing *c)
 {

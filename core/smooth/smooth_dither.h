@@ -1,4 +1,5 @@
-/* The dither of colors before they are weighed (channels in base/format.h). */
+/* The dither of colors before they are weighed, in the buffer of smooth.h: its
+ * fill and put of struct pel_channels (base/format.h). */
 #ifndef PEL_SMOOTH_SMOOTH_DITHER_H
 #define PEL_SMOOTH_SMOOTH_DITHER_H
 

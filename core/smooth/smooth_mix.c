@@ -9,8 +9,9 @@ struct ink {
     uint32_t red_blue, green, alpha;
 };
 
-/* Of 5-6-5 bits: red and blue in one word, of 16 bits each: products of both at
- * once. Per channel 255 times the mix, rounded as pel_round_div255 does. */
+/* A pixel of 5-6-5 bits, mixed: red and blue are in the halves of one word, for
+ * products of both at once. Of each channel 255 times the mix is made, and
+ * divided as pel_round_div255 does. */
 static PEL_ALWAYS_INLINE uint32_t mixed_565(uint32_t below, uint32_t weight,
                                             uint32_t red_blue, uint32_t green)
 {
@@ -31,7 +32,7 @@ static PEL_ALWAYS_INLINE uint32_t in_order(uint32_t v, bool big)
     return big ? PEL_BE16(v) : PEL_LE16(v);
 }
 
-/* n pixels: where the coverage ends. */
+/* Mixes into n pixels, and returns where their coverage ends. */
 static PEL_ALWAYS_INLINE const uint8_t *mix_run(uintptr_t at,
                                                 const uint8_t *coverage,
                                                 int32_t n, struct ink ink,
@@ -73,7 +74,7 @@ static struct ink ink_of(pel_color color, const struct pel_format *format)
     return ink;
 }
 
-/* Four bytes of a word, two at once. */
+/* A word of four bytes, mixed two at once. */
 static PEL_ALWAYS_INLINE uint32_t mixed_32(uint32_t below, uint32_t weight,
                                            uint32_t even, uint32_t odd)
 {
@@ -85,7 +86,7 @@ static PEL_ALWAYS_INLINE uint32_t mixed_32(uint32_t below, uint32_t weight,
     return (even >> 8 & m) | (odd & ~m);
 }
 
-/* A weight of 0 leaves the bits that are no color, others set them. */
+/* The bits that are no color are set, but where the weight is 0. */
 static PEL_NOINLINE void mix_words(const struct pel_surface *s,
                                    const struct pel_smooth_runs *runs,
                                    pel_color color)

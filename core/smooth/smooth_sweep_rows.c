@@ -1,7 +1,7 @@
 /* The rows of a sweep: which edges cross them, and their pixels. */
 #include "smooth_sweep.h"
 
-/* That are painted at a time, beside full ones. */
+/* Pixels that are painted at a time, beside full ones. */
 enum { PIXELS = PEL_64BIT ? 64 : PEL_SMALL_CODE ? 8 : 16 };
 
 /* False: it touches no row, or has no height. Edges right of the clip are kept:

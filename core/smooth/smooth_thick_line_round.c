@@ -10,8 +10,9 @@ struct capsule {
     struct pel_smooth_line line[2];
 };
 
-/* r to the right of a direction down, which is not 0. The inverse of its length
- * is 2^(62 - shift) times that: 2^30 are a whole. */
+/* The place at a radius across a direction, which is not 0; right of it on
+ * screen where it goes down. The inverse of its length is 2^(62 - shift) times
+ * that: 2^30 are a whole. */
 static struct pel_smooth_place place_across(struct pel_point d, int32_t radius)
 {
     int shift;

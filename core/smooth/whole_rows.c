@@ -35,7 +35,8 @@ static const struct pel_smooth_strip *strip_of(
     return &to->strip;
 }
 
-/* One that does not cross a whole row counts as too many. */
+/* Puts a side where it is from left to right. One that does not cross a whole
+ * row counts as too many. */
 static void place(struct pel_smooth_visitor *sides,
                   struct pel_smooth_crossing *c)
 {
@@ -64,7 +65,7 @@ static bool is_mirror(const struct pel_smooth_side *a,
            ((a->center ^ b->center) & 255) == 0;
 }
 
-/* False: the row is another one. */
+/* Finds the sides of row y. False: they are not 2 or 4 that cross all of it. */
 static bool find_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
 {
     s->n = s->crossings = 0;
@@ -104,8 +105,8 @@ static void move_down(struct pel_smooth_strip *s, bool below)
     s->at_far = pel_min(s->at_far, s->at_near);
 }
 
-/* Goes on to row y, where no side begins or ends. False: the row is another
- * one. */
+/* Goes on to row y, where no side begins or ends. False: one does not cross all
+ * of it. */
 static bool move_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
 {
     for (int32_t i = 0; i < s->crossings; i++) {
@@ -142,7 +143,7 @@ static bool are_apart(struct sides *s)
     return true;
 }
 
-/* The row of a height, if that is before *end and not above row y. */
+/* Makes *end the row of a height, if that is earlier, but not above row y. */
 static void note(int32_t height, int32_t y, int32_t *end)
 {
     const int32_t row = pel_pixel_of(height);
@@ -182,13 +183,13 @@ struct pair {
     uint8_t *to;
 };
 
-/* Of the first two sides, and of the others. */
+/* What is between the first two sides, and between the other two. */
 struct rows {
     struct pair pair[MOST / 2];
     int32_t sides;
 };
 
-/* Where its bytes end. */
+/* Writes the bytes of a side, and returns where they end. */
 static uint8_t *put_side(struct pel_smooth_side *k, uint8_t *to)
 {
     int32_t n = k->bytes;

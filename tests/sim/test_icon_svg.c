@@ -120,7 +120,6 @@ TEST(themes_look_as_by_librsvg)
 {
     enum { N = sizeof theme / sizeof *theme };
     double sum = 0, worst = 0;
-    assert_true(N >= 50);
     for (int i = 0; i < N; i++) {
         char path[256];
         snprintf(path, sizeof path, "%s.svg", theme[i]);
