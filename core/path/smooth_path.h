@@ -13,12 +13,11 @@ PEL_BEGIN_DECLS
 #define PEL_SMOOTH_PATH_SCRATCH_SIZE(sides, width) \
     (PEL_SMOOTH_POLYGON_SCRATCH_SIZE(sides, width) + 148 * sizeof(void *))
 
-/* The outlines of the same names in path.h, painted by the part of each pixel
- * that is inside, as pel_smooth_polygon does: within .5 + .02 k of 255, of k
- * pieces of the border in the pixel, and so where a stroke crosses itself
- * there, too. Errors are the same; PEL_ERROR_SCRATCH, too, where the memory is
- * too small for the sums of a row, and where a row of a stroke has more sides
- * than there is room for, as one of a fill. */
+/* What the functions of path.h draw, each pixel by the part of it that is
+ * inside, as pel_smooth_polygon does: within .5 + .02 k of 255, where k pieces
+ * of the border go through the pixel, also where a stroke crosses itself.
+ * Errors are the same, and PEL_ERROR_SCRATCH where the memory is too small for
+ * the sums of a row or, of a stroke as of a fill, for the sides in one. */
 enum pel_status pel_smooth_path_fill(const struct pel_surface *surface,
                                      const struct pel_path_shape *shape,
                                      const struct pel_paint *paint,

@@ -171,7 +171,7 @@ static bool check_options(const struct options_given *given, unsigned kinds)
         : kinds & IMPORT_PICTURE ? "this is a picture"
         : kinds & IMPORT_FONT    ? "this is a font"
         : kinds & IMPORT_ICON
-            ? "this is an icon, without --icon-size of any size"
+            ? "this is an icon: --icon-size makes it a picture"
             : "a pel2d file holds triangles with Gouraud's colours";
     for (int i = 0; i < given->count; i++) {
         const struct use *use = uses;

@@ -63,7 +63,8 @@ extern const struct option_row import_font_options[];
 #define IMPORT_FONT_OPTIONS \
     "codes|chars|encoding|font-size|bits|hinting|next|outline"
 
-/* Those of an icon: icon_size and symbolic. False, with a message: not both. */
+/* Those of an icon: icon_size and symbolic. The check is false, with a message,
+ * where both are given. */
 extern const struct option_row import_icon_options[];
 #define IMPORT_ICON_OPTIONS "icon-size|symbolic"
 bool import_icon_options_check(const struct import_options *options);
