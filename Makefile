@@ -53,7 +53,8 @@ $(if $(filter board window device,$(MAKECMDGOALS)),$(if \
 # Who runs one wants to see it, not how it is compiled.
 ifneq ($(filter board window device,$(MAKECMDGOALS)),)
 .SILENT:
-$(info the first time, what it takes is compiled, which may take two minutes)
+$(if $(wildcard $(BUILD)/board $(BUILD)/window),,$(info what it takes is compiled now, \
+    which may take two minutes))
 endif
 example_sources = examples/$1.c $(wildcard examples/$1/*.c) \
     $(EXAMPLE_ASSETS_$1:%=$(BUILD)/examples/%.c)

@@ -34,10 +34,13 @@ struct lanes {
 static inline void set_lanes(struct lanes *lanes, struct part *r,
                              const struct pel_fan_triangle *t)
 {
-    for (int k = 0; k < 4; k++) {
-        set_channel(r, &t->channel[k]);
-        lanes->at[k / 2][k & 1] = r->at;
-        lanes->step[k / 2][k & 1] = t->channel[k].dx;
+    for (int k = 0; k < 2; k++) {
+        const struct pel_plane *channel = &t->channel[2 * k];
+        set_channel(r, &channel[0]);
+        const uint64_t first = r->at;
+        set_channel(r, &channel[1]);
+        lanes->at[k] = (pel_u64x2){first, r->at};
+        lanes->step[k] = (pel_u64x2){channel[0].dx, channel[1].dx};
     }
 }
 

@@ -18,7 +18,8 @@ void pel_smooth_triangle(const struct pel_surface *surface,
 
 /* The same of a convex polygon of n vertices in either direction; fewer than 3
  * cover nothing. Of an outline that is not convex it covers something, in
- * pixels that its box touches: pel_smooth_polygon takes all. */
+ * pixels that its box touches, which may differ between builds:
+ * pel_smooth_polygon takes all. */
 void pel_smooth_convex(const struct pel_surface *surface,
                        const struct pel_point *v, int32_t n,
                        const struct pel_paint *paint);

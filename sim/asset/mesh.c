@@ -197,9 +197,9 @@ static void write_figures(FILE *out, const struct model *model)
                 model->high[k]);
     fprintf(out,
             " * pel_scene_prepare takes %zu bytes of scratch memory at most, "
-            "40 more for\n * each light, and %zu with a shading in "
-            "perspective. */\n",
-            pel_scene_scratch_size(&scene), PEL_PERSPECTIVE_SCRATCH_SIZE);
+            "40 more for\n * each light; shadings in perspective "
+            "PEL_PERSPECTIVE_SCRATCH_SIZE more. */\n",
+            pel_scene_scratch_size(&scene));
 }
 
 bool import_mesh(const struct import_options *options,

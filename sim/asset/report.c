@@ -231,23 +231,26 @@ void report_mesh(const struct import_options *options,
 
 /* The errors of all ways of one part or texture; the line goes on. */
 static void put_errors(const char *what, size_t number, const int *error,
-                       int ways)
+                       const char *const *ways)
 {
-    printf("%s %zu:", what, number);
+    printf("%s %zu: ", what, number);
     if (error[0] < 0)
-        printf(" no view shows it");
-    for (int i = 0; i < ways && error[0] >= 0; i++)
-        printf(" %d", error[i]);
-    printf("; ");
+        printf("no view shows it");
+    for (int i = 0; ways[i] && error[0] >= 0; i++)
+        printf("%s%s %d", i ? ", " : "", ways[i], error[i]);
+    printf(": ");
 }
 
 static void report_mappings(const struct measure *m)
 {
-    printf("textures: of vertices, affine, divided every 64 32 16 8 4 2 1 "
-           "pixels\n");
+    static const char *const ways[] = {
+        "of vertices", "affine", "divided every 64 px",
+        "32 px",       "16 px",  "8 px",
+        "4 px",        "2 px",   "every pixel",
+        NULL};
     for (size_t i = 0; i < m->textures; i++) {
         const int taken = m->mapping[i];
-        put_errors("texture", i + 1, m->mapping_error[i], MEASURE_MAPPINGS);
+        put_errors("texture", i + 1, m->mapping_error[i], ways);
         printf("%s, span %d\n", measure_mapping_name(taken),
                measure_mapping_span(taken));
     }
@@ -255,18 +258,22 @@ static void report_mappings(const struct measure *m)
 
 void report_measure(const struct import_options *options)
 {
+    static const char *const ways[] = {"flat",
+                                       "Gouraud",
+                                       "Gouraud in perspective",
+                                       "Phong",
+                                       "Phong in perspective",
+                                       NULL};
+    static const char *const unlit[] = {"flat", "Gouraud",
+                                        "Gouraud in perspective", NULL};
     const struct measure *m = options->measure;
     if (!m || is_silent(options))
         return;
     printf("errors in %d views of %d x %d px, steps of 255; %g are asked\n",
            m->count, m->width, m->height, m->tolerance);
-    if (m->textures)
-        report_mappings(m);
-    printf("parts: flat, Gouraud, in perspective%s\n",
-           m->lit ? ", Phong, in perspective" : "");
+    report_mappings(m);
     for (size_t i = 0; i < m->parts; i++) {
-        put_errors("part", i + 1, m->shading_error[i],
-                   m->lit ? MEASURE_SHADINGS : 3);
+        put_errors("part", i + 1, m->shading_error[i], m->lit ? ways : unlit);
         printf("%s\n", measure_shading_name(m, m->shading[i]));
     }
 }

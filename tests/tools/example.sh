@@ -4,7 +4,8 @@
 set -eu
 out=$1
 shift
-"$@" </dev/null >"$out.ppm"
+status=0
+"$@" </dev/null >"$out.ppm" || status=$?
 if [ "$(head -c 2 "$out.ppm")" = P6 ]; then
     LC_ALL=C sed -n -e '/^# /s///p' -e '/^[0-9]* [0-9]* 255$/q' "$out.ppm"
     echo "the picture: $out.ppm"
@@ -12,3 +13,6 @@ else
     cat "$out.ppm"
     rm "$out.ppm"
 fi
+[ $status = 0 ] || echo "$(basename "$out"): its main returned $status" \
+    "(pel_status_name names errors; PEL_ASSERT, docs/use.md, finds the call)" >&2
+exit $status
