@@ -77,11 +77,11 @@ struct pel_mix {
 
 /* Steps from pixel to pixel through the cells of a gradient of mixed colors.
  * Each pixel adds `step` to the error. Where the error is 0 or more the cell
- * ends, and cell + cell_rest / unit is subtracted from it. Cells are less than
- * 7 px wide. */
+ * ends, and cell + cell_remainder / unit is subtracted from it. Cells are less
+ * than 7 px wide. */
 struct pel_walk {
     struct pel_mix mix;
-    int32_t error, rest, cell, cell_rest, unit, step;
+    int32_t error, remainder, cell, cell_remainder, unit, step;
 };
 
 /* Functions that a format may have for dither, Gouraud and textures. */

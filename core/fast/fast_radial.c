@@ -48,7 +48,7 @@ static pel_color color_of(const struct pel_radial *p, int32_t ring)
 {
     const struct pel_gradient *g = &p->base;
     const int32_t cell = ring + p->first;
-    return g->color(g, pel_cells_place(g, cell / g->cells, cell % g->cells));
+    return g->color(g, pel_cells_index(g, cell / g->cells, cell % g->cells));
 }
 
 /* Sets the least and the largest square of the batch, and returns how many

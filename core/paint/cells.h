@@ -21,13 +21,13 @@ enum {
                                           : 32
 };
 
-/* A batch of rows on its way through the cells. A cell's place is its number
+/* A batch of rows among the cells. A cell's index is its number
  * from 0 on, and below the period. */
 struct pel_cells {
-    int64_t error; /* of the boundary where the present cell ends, */
-    int32_t x;     /* at this pixel of the first row */
-    int32_t way;   /* to the next cell's place: 1, -1, or 0 where none comes */
-    int32_t hi;    /* runs end here at the farthest */
+    int64_t error;     /* of the boundary where the present cell ends, */
+    int32_t x;         /* at this pixel of the first row */
+    int32_t direction; /* to the next cell's index: 1, -1; 0: none comes */
+    int32_t hi;        /* runs end here at the farthest */
 
     /* The next cell: its pixel value and the format's fill, or its color,
      * which is not opaque, and the blend. */
@@ -37,12 +37,12 @@ struct pel_cells {
     const struct pel_gradient *gradient;
     struct pel_spans cell; /* the present cell's runs */
 
-    int32_t place; /* of the next cell */
+    int32_t index; /* of the next cell */
 
     /* Of a radial gradient the radius where the present cell begins, of a conic
      * one the angle, rounded down. */
     int32_t whole;
-    int32_t rest; /* of the radius or angle, or of a linear one's error */
+    int32_t remainder; /* of the radius or angle, or of a linear one's error */
 
 #if !PEL_SMALL_CODE
     const struct pel_span *span; /* the shape's, of these rows */
@@ -56,9 +56,9 @@ struct pel_cells {
     struct pel_span run[PEL_CELL_ROWS];
 };
 
-/* The place of the cell `part` of copy number `copy` of the way; of a padded
- * way copy >= 0. */
-static inline int32_t pel_cells_place(const struct pel_gradient *g,
+/* The index of the cell `part` of copy number `copy` of the ramp; of a padded
+ * one copy >= 0. */
+static inline int32_t pel_cells_index(const struct pel_gradient *g,
                                       int32_t copy, int32_t part)
 {
     if (g->ramp.spread == PEL_PAD)
@@ -77,14 +77,14 @@ static inline uint32_t pel_mix_sum(uint32_t a, uint32_t change, int32_t i)
     return a * 256 + (half & UINT32_C(0x00FF00FF)) + change * (uint32_t)i;
 }
 
-/* From cell i on, up where way is 1, or down: -1. */
+/* From cell i on, up where direction is 1, or down: -1. */
 static PEL_SHARED void pel_mix_start(struct pel_mix *mix,
                                      const struct pel_gradient *g, int32_t i,
-                                     int32_t way)
+                                     int32_t direction)
 {
     const pel_color a = g->ramp.colors[0], b = g->ramp.colors[1];
     const uint32_t m = 0xFF00FFu, high = (b >> 8 & m) - (a >> 8 & m);
-    const uint32_t low = (b & m) - (a & m), sign = (uint32_t)way;
+    const uint32_t low = (b & m) - (a & m), sign = (uint32_t)direction;
     mix->high = pel_mix_sum(a >> 8 & m, high, i);
     mix->low = pel_mix_sum(a & m, low, i);
     mix->high_change = sign * high;
@@ -96,17 +96,18 @@ static inline pel_color pel_mixed(struct pel_mix mix)
     return (mix.high & UINT32_C(0xFF00FF00)) | (mix.low >> 8 & 0xFF00FFu);
 }
 
-/* Goes on to the next cell's place; false where none comes, or none but the
+/* Goes on to the next cell's index; false where none comes, or none but the
  * present one. */
 static PEL_ALWAYS_INLINE bool pel_cells_go(struct pel_cells *c)
 {
     const struct pel_gradient *g = c->gradient;
-    int32_t next = c->place + c->way;
+    int32_t next = c->index + c->direction;
     if ((uint32_t)next >= (uint32_t)g->period)
-        next = g->ramp.spread == PEL_PAD ? c->place : next - c->way * g->period;
-    if (next == c->place)
+        next = g->ramp.spread == PEL_PAD ? c->index
+                                         : next - c->direction * g->period;
+    if (next == c->index)
         return false;
-    c->place = next;
+    c->index = next;
     return true;
 }
 
@@ -126,7 +127,7 @@ int32_t pel_spans_hull(struct pel_span *hull, const struct pel_span *span,
  * row, and hi is the next pixel. False when no pixel is left. */
 bool pel_cells_next(struct pel_cells *cells, int32_t most);
 
-/* Of narrow cells: are there more than a walk should pass? Of a way that does
+/* Of narrow cells: are there more than a walk should pass? Of a ramp that does
  * not begin anew it passes each once. */
 static inline bool pel_cells_are_many(const struct pel_gradient *g,
                                       const struct pel_spans *spans)
@@ -145,13 +146,13 @@ bool pel_cells_copy(const struct pel_gradient *gradient,
                     void (*fill)(const struct pel_paint *paint,
                                  const struct pel_spans *spans));
 
-/* Takes the color of the cell at c->place. */
+/* Takes the color of the cell at c->index. */
 void pel_cells_color(struct pel_cells *c);
 
 /* Cells of one pixel value are one, up to so many: more may be out of sight. */
 enum { PEL_CELLS_PASSED = 2048 };
 
-/* Looks at cells from the one at c->place on until the pixel value changes, or
+/* Looks at cells from the one at c->index on until the pixel value changes, or
  * `most` of them or some more have been seen; returns how many have the value,
  * 0: all that may come. Moves on to the next. */
 int32_t pel_cells_pass(struct pel_cells *c, int32_t most);
@@ -186,24 +187,24 @@ static PEL_ALWAYS_INLINE void pel_cells_move(struct pel_cells *c, int32_t count,
                                              int32_t width, int32_t part,
                                              int32_t n)
 {
-    const int32_t way = c->way;
+    const int32_t direction = c->direction;
     do {
-        c->whole += way * width;
-        c->rest += way * part;
-        if ((uint32_t)c->rest >= (uint32_t)n) {
-            c->rest -= way * n;
-            c->whole += way;
+        c->whole += direction * width;
+        c->remainder += direction * part;
+        if ((uint32_t)c->remainder >= (uint32_t)n) {
+            c->remainder -= direction * n;
+            c->whole += direction;
         }
     } while (--count);
 }
 
-/* Draws what is left of every row up to hi, from the cell at c->place on. A
+/* Draws what is left of every row up to hi, from the cell at c->index on. A
  * single row may end earlier: after some cells, in case they are narrow, the
  * next one is looked up. */
 static PEL_ALWAYS_INLINE void pel_cells_draw(
     struct pel_cells *c, bool (*end)(struct pel_cells *cells, int32_t count))
 {
-    bool rest = false;
+    bool more = false;
     int32_t left = 64;
     pel_cells_color(c);
     do {
@@ -211,7 +212,7 @@ static PEL_ALWAYS_INLINE void pel_cells_draw(
         void (*const draw)(const struct pel_spans *, uint32_t) = c->draw;
         if (PEL_CELL_ROWS > 1) {
             const int32_t count = pel_cells_pass(c, PEL_CELLS_PASSED);
-            rest = count ? end(c, count) : pel_cells_end_all(c);
+            more = count ? end(c, count) : pel_cells_end_all(c);
         } else {
             c->run[0].x0 = c->x;
             do
@@ -221,25 +222,25 @@ static PEL_ALWAYS_INLINE void pel_cells_draw(
             c->run[0].x1 = c->x;
         }
         pel_fill_value(&c->cell, value, draw);
-    } while (PEL_CELL_ROWS > 1 ? rest : left && c->x < c->hi);
+    } while (PEL_CELL_ROWS > 1 ? more : left && c->x < c->hi);
 }
 
-/* Fills spans of narrow cells pixel by pixel: `start` begins a way along a row,
- * and `colors` takes the next n >= 1 of its colors. */
+/* Fills spans of narrow cells pixel by pixel: `start` begins a walk along a
+ * row, and `colors` takes the next n >= 1 of its colors. */
 static PEL_ALWAYS_INLINE void pel_cells_put(
-    const struct pel_spans *spans, void *way,
-    void (*start)(void *way, int32_t x, int32_t y),
-    void (*colors)(void *way, int32_t n, pel_color *out))
+    const struct pel_spans *spans, void *walk,
+    void (*start)(void *walk, int32_t x, int32_t y),
+    void (*colors)(void *walk, int32_t n, pel_color *out))
 {
     pel_color out[PEL_BUFFER_PIXELS];
     const struct pel_span *span = spans->span;
     int32_t y = spans->y;
     for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step) {
         if (span->x0 < span->x1)
-            start(way, span->x0, y);
+            start(walk, span->x0, y);
         for (int32_t x = span->x0, n; x < span->x1; x += n) {
             n = pel_min(span->x1 - x, PEL_BUFFER_PIXELS);
-            colors(way, n, out);
+            colors(walk, n, out);
             pel_put_colors(spans->surface, x, y, n, out);
         }
     }
@@ -247,9 +248,9 @@ static PEL_ALWAYS_INLINE void pel_cells_put(
 
 /* Fills spans, `most` rows at a time; 0: one, and every pixel looks for its
  * cell, as cells are narrow. `start` finds the cell of the first pixel, its
- * place and the way, and may bring hi nearer; `end` lets the present cell end
- * where `count` >= 1 cells end, it included, by pel_cells_end: true when pixels
- * are left. Written out where it is called, to spare the stack. */
+ * index and the direction, and may bring hi nearer; `end` lets the present cell
+ * end where `count` >= 1 cells end, it included, by pel_cells_end: true when
+ * pixels are left. Written out where it is called, to spare the stack. */
 static PEL_ALWAYS_INLINE void pel_cells_fill(
     const struct pel_paint *paint, const struct pel_spans *spans, int32_t most,
     void (*start)(struct pel_cells *cells),

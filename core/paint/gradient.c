@@ -30,10 +30,10 @@ static inline pel_color mixed_by_channels(pel_color a, pel_color b,
     return color;
 }
 
-static pel_color ramp_color(const struct pel_gradient *g, int32_t place)
+static pel_color ramp_color(const struct pel_gradient *g, int32_t index)
 {
     const pel_color *const colors = g->ramp.colors;
-    const int32_t cell = place < g->cells ? place : g->period - 1 - place;
+    const int32_t cell = index < g->cells ? index : g->period - 1 - index;
     if (g->ramp.n != 2)
         return colors[cell];
     if (PEL_SMALL_CODE)
@@ -45,7 +45,7 @@ static pel_color ramp_color(const struct pel_gradient *g, int32_t place)
 
 void pel_cells_color(struct pel_cells *c)
 {
-    const pel_color color = c->gradient->color(c->gradient, c->place);
+    const pel_color color = c->gradient->color(c->gradient, c->index);
     const struct pel_format *format = c->cell.surface->format;
     const bool opaque = pel_alpha(color) == 255;
     c->draw = opaque ? format->fill : format->blend;
@@ -55,13 +55,13 @@ void pel_cells_color(struct pel_cells *c)
 #if !PEL_SMALL_CODE
 
 /* Goes on to the last of the cells of two mixed colors that look like the one
- * at c->place, but not beyond the end of the way. Returns how many it passed.
+ * at c->index, but not beyond the end of the ramp. Returns how many it passed.
  * Formats drop the low bits of channels. Not for grey, which shows a sum. */
 static PEL_NOINLINE_32 int32_t pass_mixed(struct pel_cells *c)
 {
     const struct pel_gradient *g = c->gradient;
-    const bool back = c->place >= g->cells, down = back == (c->way > 0);
-    const int32_t i = back ? g->period - 1 - c->place : c->place;
+    const bool back = c->index >= g->cells, down = back == (c->direction > 0);
+    const int32_t i = back ? g->period - 1 - c->index : c->index;
     const int32_t most = down ? i : 255 - i;
     struct pel_mix mix;
     pel_mix_start(&mix, g, i, down ? -1 : 1);
@@ -73,7 +73,7 @@ static PEL_NOINLINE_32 int32_t pass_mixed(struct pel_cells *c)
         if ((pel_mixed(mix) & c->mask) != first)
             break;
     }
-    c->place += c->way * passed;
+    c->index += c->direction * passed;
     return passed;
 }
 
@@ -120,14 +120,14 @@ bool pel_cells_next(struct pel_cells *c, int32_t most)
 static int32_t cut(struct pel_cells *c)
 {
     const int32_t hi = c->hi;
-    int32_t rest = 0;
+    int32_t sign = 0;
     for (int32_t i = 0; i < c->cell.n; i++) {
         const int32_t end = pel_min(c->span[i].x1, hi);
         const int32_t x = pel_max(c->run[i].x0, pel_min(c->run[i].x1, end));
         c->run[i].x1 = x;
-        rest |= x - end;
+        sign |= x - end;
     }
-    return rest;
+    return sign;
 }
 
 /* From row to row: below 0 when pixels are left of a box. The error is not
@@ -137,7 +137,7 @@ static int32_t end_rows(struct pel_cells *c, int32_t step, int32_t row,
 {
     const int32_t hi = c->hi, most = 1 << 30;
     const int32_t row_bend = bend * c->cell.step;
-    int32_t x = c->x, rest = 0;
+    int32_t x = c->x, sign = 0;
     int32_t error = c->error < -most  ? -most
                     : c->error > most ? most
                                       : (int32_t)c->error;
@@ -147,9 +147,9 @@ static int32_t end_rows(struct pel_cells *c, int32_t step, int32_t row,
     for (int32_t left = c->cell.n;; run++) {
         run->x0 = run->x1;
         run->x1 = x;
-        rest |= x - hi;
+        sign |= x - hi;
         if (--left == 0)
-            return rest;
+            return sign;
         error += row;
         row += row_bend;
         if (error < 0 && x < hi)
@@ -195,8 +195,8 @@ bool pel_cells_end(struct pel_cells *c, int32_t step, int32_t row, int32_t bend)
     c->x = x;
     c->error = error;
 #if !PEL_SMALL_CODE
-    const int32_t rest = end_rows(c, step, row, bend);
-    return (c->box ? rest : cut(c)) < 0;
+    const int32_t sign = end_rows(c, step, row, bend);
+    return (c->box ? sign : cut(c)) < 0;
 #else
     (void)row;
     return x < hi;

@@ -1,16 +1,16 @@
 /* Gradients: cells of equal color, drawn as shapes of one color.
  *
- * A ramp of n colors, not 2, cuts the way from 0 to 1 into n equal cells;
+ * A ramp of n colors, not 2, cuts the offsets from 0 to 1 into n equal cells;
  * cell i, [i/n, (i+1)/n), shows color[i]. pel_ramp_fill() sets each to the
  * gradient's exactly rounded color in the middle of its cell. So
  *  - the color is off by at most slope / (2 n) + 1/2 steps, where slope is the
- *    largest change of a channel per unit of the way: within 1 of the exactly
+ *    largest change of a channel per unit of offset: within 1 of the exactly
  *    rounded color when n >= slope / 2 (two stops: 128 colors; the six of a
  *    rainbow: 768);
  *  - a hard stop at a multiple of 1/n is exact, others move by half a cell;
  *  - the ends are the first and the last stop's color when n > slope.
  *
- * A ramp of two colors mixes them on the way: 256 cells, each with the exactly
+ * A ramp of two colors mixes them: 256 cells, each with the exactly
  * rounded color of its middle, as of pel_ramp_fill(), without an array.
  *
  * The cells go on at both ends as the spread says. Each kind of gradient says
@@ -38,13 +38,13 @@ struct pel_ramp {
 };
 
 struct pel_stop {
-    int32_t at; /* 0..65,536: 65,536ths of the way, not falling */
+    int32_t at; /* 0..65,536: the offset, 65,536ths, not falling */
     pel_color color;
 };
 
 /* Sets n colors from `count` stops, linear between neighbours, channel by
  * channel, alpha too. Before the first stop and after the last theirs stay. Two
- * stops at one place are a hard edge; there the later one is shown.
+ * stops at one offset are a hard edge; there the later one is shown.
  * PEL_ERROR_NULL, PEL_ERROR_SIZE (n or count outside 1..32,767),
  * PEL_ERROR_RANGE (a position out of range or falling). */
 enum pel_status pel_ramp_fill(pel_color *colors, int32_t n,
@@ -54,9 +54,9 @@ enum pel_status pel_ramp_fill(pel_color *colors, int32_t n,
 struct pel_gradient {
     struct pel_paint paint;
 
-    /* The color at a place, 0 <= place < period. Up to `cells` it is a cell;
-     * from there on the way goes back: place period - 1 - i shows cell i. */
-    pel_color (*color)(const struct pel_gradient *gradient, int32_t place);
+    /* The color at an index, 0 <= index < period. Up to `cells` it is a cell;
+     * from there on cells come back: index period - 1 - i shows cell i. */
+    pel_color (*color)(const struct pel_gradient *gradient, int32_t index);
 
     struct pel_ramp ramp;
     int32_t cells;  /* n, and 256 of two colors */

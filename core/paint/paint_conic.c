@@ -23,31 +23,31 @@ static PEL_NOINLINE_32 int64_t cross_of(const struct pel_cells *c, int32_t dx,
 }
 
 /* Adds to c->whole up to the last angle that is not past the pixel in the first
- * column, at the height in c->rest: bit by bit. */
+ * column, at the height in c->remainder: bit by bit. */
 static PEL_ALWAYS_INLINE void find_angle(struct pel_cells *c)
 {
-    for (int32_t bit = HALF_TURN / 2; bit && c->way; bit >>= 1) {
+    for (int32_t bit = HALF_TURN / 2; bit && c->direction; bit >>= 1) {
         const struct pel_point d = pel_direction((uint16_t)(c->whole + bit));
-        if (cross_of(c, d.x, d.y, c->rest) >= 0)
+        if (cross_of(c, d.x, d.y, c->remainder) >= 0)
             c->whole += bit;
     }
 }
 
 /* The present cell begins at the angle floor(65536 k / period) from the start,
- * c->whole, and c->rest is what the floor drops. Rows above the centre end
+ * c->whole, and c->remainder is what the floor drops. Rows above the centre end
  * before the full turn, rows below at 0. On a ray or clockwise of it is beyond
  * it above the centre, before it below. The lowest 8 bits of the cross product
  * never change from pixel to pixel. */
 static PEL_HOT bool end_cells(struct pel_cells *c, int32_t count)
 {
     const struct pel_conic *p = (const void *)c->gradient;
-    pel_cells_move(c, count, p->width, p->rest, p->base.period);
+    pel_cells_move(c, count, p->width, p->remainder, p->base.period);
     if ((uint32_t)(c->whole - 1) >> 16)
         return pel_cells_end_all(c);
     const struct pel_point d = pel_direction((uint16_t)c->whole);
     const int64_t cross = cross_of(c, d.x, d.y, height_of(c)) >> 8;
-    c->error = c->way < 0 ? ~cross : cross;
-    return pel_cells_end(c, pel_magnitude(d.y), c->way * d.x, 0);
+    c->error = c->direction < 0 ? ~cross : cross;
+    return pel_cells_end(c, pel_magnitude(d.y), c->direction * d.x, 0);
 }
 
 /* Cuts the batch, so that it has rows above the centre, or the row through it,
@@ -64,13 +64,13 @@ static PEL_NOINLINE_32 void first_row(struct pel_cells *c)
     if (PEL_CELL_ROWS > 1 && c->cell.step && v <= 0)
         c->cell.n = pel_min(
             c->cell.n, above ? pel_first_pixel(p->center.y) - c->cell.y : 1);
-    c->way = (v < 0) - (v > 0);
+    c->direction = (v < 0) - (v > 0);
     c->whole = above || (v == 0 && left) ? HALF_TURN : 0;
     if (v == 0 && left)
         c->hi = pel_min(c->hi, split);
-    c->rest = v;
+    c->remainder = v;
     if (PEL_CELL_ROWS > 1 && v && above == left)
-        c->rest += (c->cell.n - 1) * c->cell.step * 256;
+        c->remainder += (c->cell.n - 1) * c->cell.step * 256;
 }
 
 /* The cell of the angle: the last k that begins at or before `turn` from the
@@ -81,11 +81,11 @@ static PEL_NOINLINE_32 void set_cell(struct pel_cells *c)
     const uint32_t period = (uint32_t)p->base.period;
     const uint32_t turn = ((uint32_t)c->whole - p->start) & 0xFFFFu;
     uint32_t k = ((turn + 1) * period - 1) >> 16;
-    c->place = (int32_t)k;
-    k = (k + (c->way < 0)) << 16;
+    c->index = (int32_t)k;
+    k = (k + (c->direction < 0)) << 16;
     const uint32_t begin = pel_divide(k, period);
     c->whole += (int32_t)(begin - turn);
-    c->rest = (int32_t)(k - begin * period);
+    c->remainder = (int32_t)(k - begin * period);
 }
 
 static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
@@ -108,7 +108,7 @@ static enum pel_status begin(struct pel_conic *paint, struct pel_point center,
     struct pel_gradient *g = &paint->base;
     const uint32_t n = (uint32_t)g->period, width = pel_divide(FULL_TURN, n);
     paint->width = (int32_t)width;
-    paint->rest = (int32_t)(FULL_TURN - width * n);
+    paint->remainder = (int32_t)(FULL_TURN - width * n);
     paint->center = center;
     paint->start = start;
     g->ramp.spread = PEL_REPEAT;

@@ -19,9 +19,9 @@ PEL_BEGIN_DECLS
 struct pel_conic {
     struct pel_gradient base;
     struct pel_point center;
-    uint16_t start; /* turns / 65,536, clockwise from +x */
-    int32_t width;  /* of a cell, rounded down, in turns / 65,536 */
-    int32_t rest;   /* of the turn: 65,536 - width * period */
+    uint16_t start;    /* turns / 65,536, clockwise from +x */
+    int32_t width;     /* of a cell, rounded down, in turns / 65,536 */
+    int32_t remainder; /* of the turn: 65,536 - width * period */
 };
 
 /* PEL_ERROR_NULL, PEL_ERROR_SIZE (the ramp's n), PEL_ERROR_RANGE (the centre

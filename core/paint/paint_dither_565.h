@@ -145,7 +145,7 @@ static PEL_ALWAYS_INLINE void pel_row565_walk(struct pel_row565 r,
                                               bool swapped)
 {
     uint32_t high = walk->mix.high, low = walk->mix.low;
-    int32_t error = walk->error, rest = walk->rest;
+    int32_t error = walk->error, remainder = walk->remainder;
     const int32_t step = walk->step;
     const struct pel_steps565 *threshold = r.thresholds + r.x;
     do {
@@ -156,9 +156,9 @@ static PEL_ALWAYS_INLINE void pel_row565_walk(struct pel_row565 r,
         if (threshold >= r.thresholds + PEL_PLACES)
             threshold -= PEL_PLACES;
         error -= walk->cell;
-        rest -= walk->cell_rest;
-        if (rest < 0) {
-            rest += walk->unit;
+        remainder -= walk->cell_remainder;
+        if (remainder < 0) {
+            remainder += walk->unit;
             error--;
         }
         high += walk->mix.high_change;

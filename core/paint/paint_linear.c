@@ -21,8 +21,8 @@ static PEL_HOT int64_t along(const struct pel_linear *p, int32_t x, int32_t y)
 }
 
 /* The product (P - from).d at pixel (x, y), or another that shows the same. Of
- * a padded way it is above -2^47, and |d|^2 at most. Of others lengths of two
- * ways, there and back, are taken away or added until it is above 0, and 2
+ * a padded gradient it is above -2^47, and |d|^2 at most. Of others lengths of
+ * two ways, there and back, are taken away or added until it is above 0, and 2
  * |d|^2 at most: below 2^50. */
 static int64_t product_at(const struct pel_linear *p, int32_t x, int32_t y,
                           bool padded)
@@ -41,9 +41,10 @@ static int64_t product_at(const struct pel_linear *p, int32_t x, int32_t y,
 }
 
 /* The error of the boundary where cell k begins is n product - k square, less 1
- * where the way is turned: there boundaries belong to the cells before them.
- * Where it is walked in 32 bits, it is counted in units of 256 n, by which n
- * product grows from pixel to pixel, and what they leave, c->rest. */
+ * where the direction is turned: there boundaries belong to the cells before
+ * them. Where it is walked in 32 bits, it is counted in units of 256 n, by
+ * which n product grows from pixel to pixel, and what they leave, c->remainder.
+ */
 static int32_t unit_of(const struct pel_linear *p)
 {
     return p->base.cells * 256;
@@ -53,9 +54,9 @@ static int32_t unit_of(const struct pel_linear *p)
 static inline void next_cell(struct pel_cells *c, const struct pel_linear *p)
 {
     c->error -= p->cell;
-    c->rest -= p->cell_rest;
-    if (c->rest < 0) {
-        c->rest += unit_of(p);
+    c->remainder -= p->cell_remainder;
+    if (c->remainder < 0) {
+        c->remainder += unit_of(p);
         c->error--;
     }
 }
@@ -77,12 +78,12 @@ static PEL_HOT bool end_cells(struct pel_cells *c, int32_t count)
 }
 
 /* The cell k of a pixel by its product, bit by bit of n, so that the error
- * where it begins is 0 or more and below square: its place. Where the way is
- * padded, before it is the first cell, behind it the last one. */
+ * where it begins is 0 or more and below square: its index. Where the direction
+ * is padded, before it is the first cell, behind it the last one. */
 static int32_t find_cell(const struct pel_linear *p, int64_t product,
-                         bool padded, int64_t *rest)
+                         bool padded, int64_t *remainder)
 {
-    const int32_t mirror = p->way >> 31; /* -1 when turned, or 0 */
+    const int32_t mirror = p->direction >> 31; /* -1 when turned, or 0 */
     int64_t error = mirror;
     /* n in the 15 upper bits makes room for k in the lower ones. */
     uint32_t bits = (uint32_t)p->base.cells << 17;
@@ -93,24 +94,24 @@ static int32_t find_cell(const struct pel_linear *p, int64_t product,
         for (bits *= 2; error >= p->square; bits++)
             error -= p->square;
     }
-    *rest = error;
+    *remainder = error;
     const int32_t n = p->base.cells, period = p->base.period;
-    int32_t place = mirror ? n - 1 - (int32_t)bits : (int32_t)bits;
-    while (place >= period)
-        place -= padded ? 1 : period;
-    return place < 0 ? place + period : place;
+    int32_t index = mirror ? n - 1 - (int32_t)bits : (int32_t)bits;
+    while (index >= period)
+        index -= padded ? 1 : period;
+    return index < 0 ? index + period : index;
 }
 
 static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
                                      const struct pel_linear *p,
                                      int64_t product)
 {
-    c->way = p->way;
-    c->place = find_cell(p, product, is_padded(p), &c->error);
+    c->direction = p->direction;
+    c->index = find_cell(p, product, is_padded(p), &c->error);
     if (PEL_CELL_ROWS > 1) {
-        int64_t rest;
-        c->error = pel_divide_64(c->error, unit_of(p), &rest);
-        c->rest = (int32_t)rest;
+        int64_t remainder;
+        c->error = pel_divide_64(c->error, unit_of(p), &remainder);
+        c->remainder = (int32_t)remainder;
     }
 }
 
@@ -158,59 +159,60 @@ static PEL_NOINLINE_32 void fill_level(const struct pel_linear *p,
     }
 }
 
-/* A way along a row from pixel to pixel, over many cells: the place, and the
- * error where its cell begins. `outside` is below 0 before a padded way, and
- * |d|^2 or more behind it. */
+/* A walk along a row from pixel to pixel, over many cells: the index, and the
+ * error where its cell begins. `outside` is below 0 before a padded gradient,
+ * and |d|^2 or more behind it. */
 struct pixel {
     int64_t outside, error;
-    int32_t place;
+    int32_t index;
 };
 
-struct way {
+struct row_walk {
     const struct pel_linear *paint;
-    struct pixel at, step; /* place by less than the period */
+    struct pixel at, step; /* index by less than the period */
 };
 
-static PEL_NOINLINE_32 void set_step(struct way *w)
+static PEL_NOINLINE_32 void set_step(struct row_walk *w)
 {
     const struct pel_linear *p = w->paint;
-    int64_t place;
+    int64_t index;
     w->step.outside = is_padded(p) ? 256 * (int64_t)p->d.x : 0;
-    place = pel_divide_64(p->step, p->square, &w->step.error);
-    (void)pel_divide_64(place, p->base.period, &place);
-    w->step.place = (int32_t)place * p->way;
+    index = pel_divide_64(p->step, p->square, &w->step.error);
+    (void)pel_divide_64(index, p->base.period, &index);
+    w->step.index = (int32_t)index * p->direction;
 }
 
-static PEL_NOINLINE_32 void way_start(void *way, int32_t x, int32_t y)
+static PEL_NOINLINE_32 void row_walk_start(void *walk, int32_t x, int32_t y)
 {
-    struct way *w = way;
+    struct row_walk *w = walk;
     const struct pel_linear *p = w->paint;
     const int64_t product = along(p, pel_pixel_center(x), pel_pixel_center(y));
-    w->at.outside = is_padded(p) ? product + (p->way >> 31) : 0;
-    w->at.place = find_cell(p, product_at(p, x, y, false), false, &w->at.error);
+    w->at.outside = is_padded(p) ? product + (p->direction >> 31) : 0;
+    w->at.index = find_cell(p, product_at(p, x, y, false), false, &w->at.error);
 }
 
-static PEL_NOINLINE_32 void way_colors(void *way, int32_t n, pel_color *out)
+static PEL_NOINLINE_32 void row_walk_colors(void *walk, int32_t n,
+                                            pel_color *out)
 {
-    struct way *w = way;
+    struct row_walk *w = walk;
     const struct pel_linear *p = w->paint;
     const struct pel_gradient *const g = &p->base;
     const int64_t square = p->square;
     struct pixel at = w->at;
     for (; n > 0; n--, out++) {
-        int32_t place = at.place;
+        int32_t index = at.index;
         if ((uint64_t)at.outside >= (uint64_t)square)
-            place = (at.outside < 0) == (p->way > 0) ? 0 : g->cells - 1;
-        *out = g->color(g, place);
+            index = (at.outside < 0) == (p->direction > 0) ? 0 : g->cells - 1;
+        *out = g->color(g, index);
         at.outside += w->step.outside;
         at.error += w->step.error;
-        at.place += w->step.place;
+        at.index += w->step.index;
         if (at.error >= square) {
             at.error -= square;
-            at.place += p->way;
+            at.index += p->direction;
         }
-        if ((uint32_t)at.place >= (uint32_t)g->period)
-            at.place += at.place < 0 ? g->period : -g->period;
+        if ((uint32_t)at.index >= (uint32_t)g->period)
+            at.index += at.index < 0 ? g->period : -g->period;
     }
     w->at = at;
 }
@@ -218,10 +220,10 @@ static PEL_NOINLINE_32 void way_colors(void *way, int32_t n, pel_color *out)
 static PEL_NOINLINE_32 void fill_pixels(const struct pel_linear *p,
                                         const struct pel_spans *spans)
 {
-    struct way w;
+    struct row_walk w;
     w.paint = p;
     set_step(&w);
-    pel_cells_put(spans, &w, way_start, way_colors);
+    pel_cells_put(spans, &w, row_walk_start, row_walk_colors);
 }
 
 /* Rows are drawn one by one where boundaries lie far apart from row to row, and
@@ -253,7 +255,7 @@ static bool can_walk(const struct pel_linear *p, const struct pel_channels *c)
 
 /* Fills the rows of a dither, which shows every cell, from the row where
  * products are least on. False, and nothing is done, unless it can be walked,
- * and the hull is all on one way from the first cell to the last: then errors
+ * and the hull is all on one run from the first cell to the last: then errors
  * are below 256 WIDEST d.x < 2^30. */
 static PEL_NOINLINE_32 bool fill_walked(const struct pel_linear *p,
                                         const struct pel_spans *spans)
@@ -273,7 +275,7 @@ static PEL_NOINLINE_32 bool fill_walked(const struct pel_linear *p,
     if (least <= 0 || least + 256 * (across + growth * last) >= p->square)
         return false;
     struct pel_walk walk = {.cell = (int32_t)p->cell,
-                            .cell_rest = p->cell_rest,
+                            .cell_remainder = p->cell_remainder,
                             .unit = unit_of(p),
                             .step = p->d.x};
     c.gradient = &p->base;
@@ -286,9 +288,9 @@ static PEL_NOINLINE_32 bool fill_walked(const struct pel_linear *p,
         const struct pel_span run = spans->span[k];
         if (run.x0 >= run.x1)
             continue;
-        pel_mix_start(&walk.mix, &p->base, c.place, p->way);
+        pel_mix_start(&walk.mix, &p->base, c.index, p->direction);
         walk.error = (int32_t)c.error + p->d.x * (run.x0 - hull.x0);
-        walk.rest = c.rest;
+        walk.remainder = c.remainder;
         if (!channels->walk(spans->surface, run.x0, spans->y + k * spans->step,
                             run.x1 - run.x0, &walk))
             return false;
@@ -321,8 +323,8 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
         return PEL_ERROR_SIZE;
     paint->base.paint.fill = fill;
     const int32_t onward = d.x || PEL_CELL_ROWS == 1 ? d.x : d.y;
-    paint->way = (onward > 0) - (onward < 0);
-    if (paint->way < 0) {
+    paint->direction = (onward > 0) - (onward < 0);
+    if (paint->direction < 0) {
         from = to;
         d = (struct pel_point){-d.x, -d.y};
     }
@@ -331,9 +333,9 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     paint->square = along(paint, from.x + d.x, from.y + d.y);
     paint->step = pel_product(unit_of(paint), d.x);
     if (PEL_CELL_ROWS > 1) {
-        int64_t rest;
-        paint->cell = pel_divide_64(paint->square, unit_of(paint), &rest);
-        paint->cell_rest = (int32_t)rest;
+        int64_t remainder;
+        paint->cell = pel_divide_64(paint->square, unit_of(paint), &remainder);
+        paint->cell_remainder = (int32_t)remainder;
     }
     return PEL_OK;
 }

@@ -14,7 +14,7 @@ enum { NARROW = 256 / PEL_CELL_ROWS };
  * than that of the radius, on the left side when it is not.
  *
  * The present cell begins at a circle of the radius floor(k radius / n), cells'
- * `whole`, rest / n what the floor drops: k rings lie inside. */
+ * `whole`, remainder / n what the floor drops: k rings lie inside. */
 
 int64_t pel_radial_square(const struct pel_radial *p, int32_t x, int32_t y)
 {
@@ -25,23 +25,25 @@ int64_t pel_radial_square(const struct pel_radial *p, int32_t x, int32_t y)
 /* Adds the square of the present circle's radius, in 512ths, to the error, or
  * takes it away. No circles lie inside the centre. */
 static PEL_NOINLINE_32 void add_circle(struct pel_cells *c,
-                                       const struct pel_radial *p, int32_t way)
+                                       const struct pel_radial *p,
+                                       int32_t direction)
 {
     const int64_t square = (pel_square(pel_max(c->whole, 0)) - p->low) >> 9;
-    c->error += way < 0 ? -square : square;
+    c->error += direction < 0 ? -square : square;
 }
 
 static PEL_HOT bool end_cells(struct pel_cells *c, int32_t count)
 {
     const struct pel_radial *p = (const void *)c->gradient;
     const struct pel_point center = p->rings.center;
-    const int32_t way = c->way;
-    add_circle(c, p, way);
-    pel_cells_move(c, count, p->width, p->rest, p->base.cells);
-    add_circle(c, p, -way);
-    return pel_cells_end(c, way * (pel_pixel_center(c->x) - center.x + 128),
-                         way * (pel_pixel_center(c->cell.y) - center.y + 128),
-                         way * 256);
+    const int32_t direction = c->direction;
+    add_circle(c, p, direction);
+    pel_cells_move(c, count, p->width, p->remainder, p->base.cells);
+    add_circle(c, p, -direction);
+    return pel_cells_end(
+        c, direction * (pel_pixel_center(c->x) - center.x + 128),
+        direction * (pel_pixel_center(c->cell.y) - center.y + 128),
+        direction * 256);
 }
 
 /* The row of the pixel where the walk begins: the farthest from the centre on
@@ -51,8 +53,8 @@ static int32_t first_row(const struct pel_cells *c, int32_t center)
     const int32_t y = c->cell.y, end = y + (c->cell.n - 1) * c->cell.step + 1;
     if (PEL_CELL_ROWS == 1)
         return y;
-    return c->way > 0 ? pel_nearest_pixel(y, end, center)
-                      : pel_farthest_pixel(y, end, center);
+    return c->direction > 0 ? pel_nearest_pixel(y, end, center)
+                            : pel_farthest_pixel(y, end, center);
 }
 
 /* The root of the square of a distance, below 2^51, rounded up, less 1, bit by
@@ -71,10 +73,10 @@ static int32_t quotient(int64_t n, int32_t d)
     return (int32_t)pel_divide((uint64_t)n, (uint32_t)d);
 }
 
-/* The ring that holds the pixel, its place, and the circle where it begins. It
+/* The ring that holds the pixel, its index, and the circle where it begins. It
  * is the largest k with k radius / n < u, the root rounded up, which is k <=
  * (u n - 1) / radius. On the left side rings begin at the outer circle, unless
- * the last cell of a padded way begins farther inside. */
+ * the last cell of a padded ramp begins farther inside. */
 static PEL_NOINLINE_32 void find_ring(struct pel_cells *c,
                                       const struct pel_radial *p)
 {
@@ -83,17 +85,18 @@ static PEL_NOINLINE_32 void find_ring(struct pel_cells *c,
     int32_t copy = quotient(c->whole, radius);
     int32_t part = quotient(
         pel_product(c->whole - copy * radius + some, n) - some, radius);
-    if (c->way < 0 && p->base.ramp.spread == PEL_PAD && (copy || part > most)) {
+    if (c->direction < 0 && p->base.ramp.spread == PEL_PAD &&
+        (copy || part > most)) {
         copy = 0;
         part = most;
     }
     const bool beyond = part > most;
-    c->place = pel_cells_place(&p->base, copy + beyond,
+    c->index = pel_cells_index(&p->base, copy + beyond,
                                part + p->first - (beyond ? n : 0));
-    const int64_t ring = pel_product(part + (c->way < 0), radius);
+    const int64_t ring = pel_product(part + (c->direction < 0), radius);
     const int32_t begin = quotient(ring, n);
     c->whole = copy * radius + begin;
-    c->rest = (int32_t)((uint32_t)ring - (uint32_t)begin * (uint32_t)n);
+    c->remainder = (int32_t)((uint32_t)ring - (uint32_t)begin * (uint32_t)n);
 }
 
 /* The part of the batch on one side. */
@@ -101,35 +104,35 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
 {
     const struct pel_radial *p = (const void *)c->gradient;
     const int32_t split = pel_first_pixel(p->rings.center.x);
-    c->way = 1;
+    c->direction = 1;
     if (c->x < split) {
-        c->way = -1;
+        c->direction = -1;
         c->hi = pel_min(c->hi, split);
     }
     c->error = pel_radial_square(p, c->x, first_row(c, p->rings.center.y));
     c->whole = root_of(c->error);
     find_ring(c, p);
     c->error = (pel_radial_square(p, c->x, c->cell.y) >> 9) - 1;
-    if (c->way < 0)
+    if (c->direction < 0)
         c->error = ~c->error;
-    add_circle(c, p, -c->way);
+    add_circle(c, p, -c->direction);
 }
 
-/* A way along a row from pixel to pixel, over many rings: the largest whole
+/* A walk along a row from pixel to pixel, over many rings: the largest whole
  * number below the distance, from 0 on, and by how much the square of the
  * distance is larger than its square, up to 2 root + 1. The ring, below the
  * period where it begins anew, and what is left of the division that finds
  * it. */
-struct way {
+struct row_walk {
     const struct pel_radial *paint;
     int32_t u; /* of the pixel, from the centre */
-    int32_t over, root, rest;
+    int32_t over, root, remainder;
     uint32_t ring;
 };
 
-static PEL_NOINLINE_32 void way_start(void *way, int32_t x, int32_t y)
+static PEL_NOINLINE_32 void row_walk_start(void *walk, int32_t x, int32_t y)
 {
-    struct way *w = way;
+    struct row_walk *w = walk;
     const struct pel_radial *p = w->paint;
     const uint32_t radius = (uint32_t)p->rings.radius;
     const int64_t square = pel_radial_square(p, x, y);
@@ -139,7 +142,7 @@ static PEL_NOINLINE_32 void way_start(void *way, int32_t x, int32_t y)
     w->u = pel_pixel_center(x) - p->rings.center.x;
     const int64_t parts = pel_product(root + 1, p->base.cells) - 1;
     w->ring = pel_divide((uint64_t)parts, radius);
-    w->rest = (int32_t)((uint32_t)parts - w->ring * radius);
+    w->remainder = (int32_t)((uint32_t)parts - w->ring * radius);
     w->ring += (uint32_t)p->first;
     if (p->base.ramp.spread != PEL_PAD)
         w->ring %= (uint32_t)p->base.period;
@@ -148,11 +151,11 @@ static PEL_NOINLINE_32 void way_start(void *way, int32_t x, int32_t y)
 /* The root of the next pixel. It is larger by about 256 u / root: that is at
  * most 256 wrong near the centre, and 3 where roots are large, so what is over
  * is below 2^29 and fits, modulo 2^32. */
-static PEL_NOINLINE_32 int32_t next_root(struct way *w)
+static PEL_NOINLINE_32 int32_t next_root(struct row_walk *w)
 {
     const int32_t u = w->u, next = w->root + 1, far = next >> 22 ? 8 : 0;
-    int32_t rest, root = w->root;
-    root += pel_floor_divide(u * (256 >> far), next >> far, &rest);
+    int32_t remainder, root = w->root;
+    root += pel_floor_divide(u * (256 >> far), next >> far, &remainder);
     root = pel_max(root, 0);
     uint32_t over = (uint32_t)w->over + 512 * (uint32_t)u + 65536 +
                     (uint32_t)(w->root - root) * (uint32_t)(w->root + root);
@@ -165,26 +168,28 @@ static PEL_NOINLINE_32 int32_t next_root(struct way *w)
     return root;
 }
 
-/* |root - w->root| n <= 2^23: a way and a ring at most. */
-static void way_next(struct way *w)
+/* |root - w->root| n <= 2^23: a ramp and a ring at most. */
+static void row_walk_next(struct row_walk *w)
 {
     const struct pel_radial *p = w->paint;
     const uint32_t period = (uint32_t)p->base.period;
     const int32_t root = next_root(w);
-    w->ring += (uint32_t)pel_floor_divide(
-        w->rest + (root - w->root) * p->base.cells, p->rings.radius, &w->rest);
+    w->ring += (uint32_t)pel_floor_divide(w->remainder +
+                                              (root - w->root) * p->base.cells,
+                                          p->rings.radius, &w->remainder);
     w->root = root;
     if (p->base.ramp.spread != PEL_PAD)
         while (w->ring >= period)
             w->ring += (int32_t)w->ring < 0 ? period : 0 - period;
 }
 
-static PEL_NOINLINE_32 void way_colors(void *way, int32_t n, pel_color *out)
+static PEL_NOINLINE_32 void row_walk_colors(void *walk, int32_t n,
+                                            pel_color *out)
 {
-    struct way *w = way;
+    struct row_walk *w = walk;
     const struct pel_gradient *const g = &w->paint->base;
     const uint32_t last = (uint32_t)g->period - 1;
-    for (; n > 0; n--, way_next(w)) {
+    for (; n > 0; n--, row_walk_next(w)) {
         const uint32_t ring = w->over ? w->ring : (uint32_t)w->paint->first;
         *out++ = g->color(g, (int32_t)(ring < last ? ring : last));
     }
@@ -193,8 +198,8 @@ static PEL_NOINLINE_32 void way_colors(void *way, int32_t n, pel_color *out)
 static PEL_NOINLINE_32 void fill_pixels(const struct pel_radial *p,
                                         const struct pel_spans *spans)
 {
-    struct way w = {p, 0, 0, 0, 0, 0};
-    pel_cells_put(spans, &w, way_start, way_colors);
+    struct row_walk w = {p, 0, 0, 0, 0, 0};
+    pel_cells_put(spans, &w, row_walk_start, row_walk_colors);
 }
 
 /* Of rings so narrow that a pixel has many of them. */
@@ -229,7 +234,7 @@ enum pel_status pel_radial_init(struct pel_radial *paint,
     paint->rings = *rings;
     paint->first = (int32_t)((uint32_t)rings->phase * (uint32_t)n >> 16);
     paint->width = quotient(rings->radius, n);
-    paint->rest = rings->radius - paint->width * n;
+    paint->remainder = rings->radius - paint->width * n;
     paint->low = (uint32_t)pel_radial_square(paint, 0, 0) & 511;
     return PEL_OK;
 }

@@ -6,12 +6,12 @@
 
 PEL_BEGIN_DECLS
 
-/* The way is the distance from the centre in radii, plus the phase: a falling
- * phase moves the rings outwards. */
+/* The offset is the distance from the centre in radii, plus the phase: a
+ * falling phase moves the rings outwards. */
 struct pel_rings {
     struct pel_point center;
     int32_t radius; /* 1/256 px, 256..PEL_PX(32767) */
-    uint16_t phase; /* 65,536ths of the way */
+    uint16_t phase; /* of the offset, 65,536ths */
 };
 
 /* Ring k, from 0 on, is that of pel_ring around the centre with the radii
@@ -21,9 +21,9 @@ struct pel_rings {
 struct pel_radial {
     struct pel_gradient base;
     struct pel_rings rings;
-    int32_t first;       /* cell of ring 0 */
-    int32_t width, rest; /* radius = width n + rest */
-    uint32_t low;        /* the square of every pixel's distance modulo 512 */
+    int32_t first;            /* cell of ring 0 */
+    int32_t width, remainder; /* radius = width n + remainder */
+    uint32_t low; /* the square of every pixel's distance modulo 512 */
 };
 
 /* PEL_ERROR_NULL, PEL_ERROR_SIZE (the ramp's n), PEL_ERROR_RANGE (centre or

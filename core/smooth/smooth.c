@@ -45,7 +45,7 @@ static bool put_walk(const struct pel_surface *surface, int32_t x, int32_t y,
 {
     pel_color *at = color_at(surface, x, y), *const end = at + n;
     uint32_t high = walk->mix.high, low = walk->mix.low;
-    int32_t error = walk->error, rest = walk->rest;
+    int32_t error = walk->error, remainder = walk->remainder;
     const int32_t step = walk->step;
     do {
         const pel_color color =
@@ -53,9 +53,9 @@ static bool put_walk(const struct pel_surface *surface, int32_t x, int32_t y,
         for (; error < 0 && at < end; error += step)
             *at++ = color;
         error -= walk->cell;
-        rest -= walk->cell_rest;
-        if (rest < 0) {
-            rest += walk->unit;
+        remainder -= walk->cell_remainder;
+        if (remainder < 0) {
+            remainder += walk->unit;
             error--;
         }
         high += walk->mix.high_change;
