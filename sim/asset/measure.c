@@ -9,6 +9,7 @@
 #include "core/scene/pipeline.h"
 #include "sim/cli/arguments.h"
 #include "sim/cli/message.h"
+#include "sim/cli/number.h"
 #include "sim/cli/text_line.h"
 #include "sim/image/canvas.h"
 
@@ -93,28 +94,35 @@ static const struct pel_paint *paint_number(
 
 static const struct pel_shading shade_number = {NULL, NULL, paint_number, 0};
 
-/* Draws the view as the settings say; or, `taken`, with the mappings that are
- * taken already. Core reads what is changed here when it prepares a frame. */
-static bool draw(struct drawing *d, struct canvas *canvas,
-                 const struct scene_settings *settings, bool taken)
+/* Prepares the scene anew, with a shading of ours in place of its own where it
+ * is not NULL, and with the mappings that are taken already. */
+static bool prepare_taken(struct drawing *d, const struct pel_shading *shading)
 {
     struct scene *scene = &d->scene;
-    if (!scene_prepare(scene, settings))
-        return false;
-    if (canvas == &d->number)
-        scene->core.shading = &shade_number;
-    for (size_t i = 0; taken && i < d->measure->textures; i++) {
+    if (shading)
+        scene->core.shading = shading;
+    for (size_t i = 0; !shading && i < d->measure->textures; i++) {
         const int mapping = d->measure->mapping[i];
         scene->texture[i].mapping = mappings[mapping].core;
         scene->texture[i].span = measure_mapping_span(mapping);
     }
     const enum pel_status status = pel_scene_prepare(
         &scene->frame, &scene->core, scene->scratch, scene->scratch_size);
-    if (status != PEL_OK)
-        return message_error("a view cannot be drawn (%s)",
-                             pel_status_name(status));
+    return status == PEL_OK || message_error("a view cannot be drawn (%s)",
+                                             pel_status_name(status));
+}
+
+/* Draws the view as the settings say; or, `taken`, with the mappings that are
+ * taken already. */
+static bool draw(struct drawing *d, struct canvas *canvas,
+                 const struct scene_settings *settings, bool taken)
+{
+    const bool number = canvas == &d->number;
+    if (!scene_prepare(&d->scene, settings) ||
+        ((number || taken) && !prepare_taken(d, number ? &shade_number : NULL)))
+        return false;
     pel_clear(&canvas->surface, 0);
-    return scene_draw(scene, &canvas->surface);
+    return scene_draw(&d->scene, &canvas->surface);
 }
 
 static bool draw_exact(struct drawing *d, const struct scene_settings *view)
@@ -320,7 +328,7 @@ static bool measure_drawing(struct drawing *d,
     struct measure *m = d->measure;
     struct scene_settings s = *settings;
     struct text_lines file;
-    char *end;
+    int64_t number = 0;
     s.shade = SCENE_GOURAUD;
     s.in_world = false;
     s.tolerance = 0;
@@ -330,15 +338,15 @@ static bool measure_drawing(struct drawing *d,
     m->textures = s.texture == SCENE_TEXTURE_NONE ? 0 : d->model->textures;
     if (!take_memory(d, &s) || !find_light(d, &s))
         return false;
-    const long number = strtol(m->views, &end, 10);
-    if (*end == '\0' && end != m->views) {
-        m->count = (int)pel_min((int32_t)number, VIEWS_MAX);
-        return ((number >= 1 && number <= VIEWS_MAX) ||
-                message_error("--view is '%s': expected a number from 1 to %d, "
-                              "or a file",
-                              m->views, VIEWS_MAX)) &&
-               measure_views(d, &s, NULL);
-    }
+    const enum number_status status =
+        number_integer(m->views, 1, VIEWS_MAX, &number);
+    m->count = (int)number;
+    if (status == NUMBER_RANGE)
+        return message_error("--view is '%s': expected a number from 1 to %d, "
+                             "or a file",
+                             m->views, VIEWS_MAX);
+    if (status == NUMBER_OK)
+        return measure_views(d, &s, NULL);
     const bool done =
         text_lines_read(&file, m->views) && measure_views(d, &s, &file);
     text_lines_free(&file);

@@ -208,6 +208,14 @@ TEST(devices)
     }
 }
 
+/* A touch screen, and a finger at its corner. */
+static const struct device touched = {"",
+                                      1 << INPUT_PROP_DIRECT,
+                                      {BTN_TOUCH, PLACES},
+                                      {{0}},
+                                      {CORNER, {EV_KEY, BTN_TOUCH, 1}, REPORT},
+                                      ""};
+
 /* A finger is where the matrix says, inside of the screen. */
 TEST(places_by_a_matrix)
 {
@@ -223,16 +231,9 @@ TEST(places_by_a_matrix)
                 {"range=0:1:0.2:0.9", "here T0(500,0)1 "},
                 {"range=0.25:0.85:0:1", "here T0(417,100)1 "},
                 {"range=0:0.4:0:1", "here T0(999,100)1 "}};
-    static const struct device screen = {
-        "",
-        1 << INPUT_PROP_DIRECT,
-        {BTN_TOUCH, PLACES},
-        {{0}},
-        {CORNER, {EV_KEY, BTN_TOUCH, 1}, REPORT},
-        ""};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         setenv("PEL_TOUCH", rows[i].touch, 1);
-        open_input(&screen, NULL, 0);
+        open_input(&touched, NULL, 0);
         if (strcmp(hear(), rows[i].told) != 0)
             fail_msg("%s: told %s, expected %s", rows[i].touch, told,
                      rows[i].told);
@@ -244,17 +245,10 @@ TEST(places_by_a_matrix)
 /* A unit of the glass is several pixels: its middle, by a matrix or not. */
 TEST(units_larger_than_pixels)
 {
-    static const struct device screen = {
-        "",
-        1 << INPUT_PROP_DIRECT,
-        {BTN_TOUCH, PLACES},
-        {{0}},
-        {CORNER, {EV_KEY, BTN_TOUCH, 1}, REPORT},
-        ""};
     for (int i = 0; i < 2; i++) {
         setenv("PEL_TOUCH", i ? "rotate=0" : "", 1);
         side = 5 * (MOST + 1);
-        open_input(&screen, NULL, 0);
+        open_input(&touched, NULL, 0);
         assert_string_equal(hear(), "here T0(2502,502)1 ");
         pel_input_linux_close(&input);
     }
