@@ -12,12 +12,24 @@ BENCH_CLANG ?= clang
 
 bench_list = $(foreach method,$(1),X($(method)))
 
+# DejaVu Sans Mono as pictures and as outlines: name, options of pel import
+BENCH_FONT := /usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf
+bench_font = $(BUILD)/pel import $(BENCH_FONT) --codes 32-126 --name font_$1 $2 -o - >>$@;
+$(BENCH)/fonts.h: $(BUILD)/pel $(BENCH_FONT)
+	@mkdir -p $(@D)
+	@rm -f $@
+	@set -e; $(call bench_font,outlines,--outline) \
+	    $(call bench_font,4_16,--hinting none --font-size 19) \
+	    $(call bench_font,4_24,--hinting none --font-size 29) \
+	    $(call bench_font,8_16,--hinting none --bits 8 --font-size 19)
+
 # name, compiler, flags
 define bench_build
 $(BENCH)/$(1)/%.o: %.c
 	@mkdir -p $$(@D)
-	$(2) $(PEL_CFLAGS) $(3) -DMETHOD='method_pel_$(subst -,_,$(1))' \
+	$(2) $(PEL_CFLAGS) -I$(BENCH) $(3) -DMETHOD='method_pel_$(subst -,_,$(1))' \
 	    -DMETHOD_BUILD='"$(subst -, -,$(1))"' -c $$< -o $$@
+$(BENCH)/$(1)/bench/method_pel.o: | $(BENCH)/fonts.h
 $(BENCH)/$(1)/libpel.a: $(CORE:%.c=$(BENCH)/$(1)/%.o)
 	rm -f $$@
 	$(AR) rcs $$@ $$^
@@ -78,6 +90,11 @@ endif
 endef
 $(eval $(call bench_peer_cpp,qt5,Qt5Gui,qtbase5-dev))
 $(eval $(call bench_peer_cpp,agg,libagg,libagg-dev))
+# AGG's fonts are a library of their own, on FreeType.
+BENCH_FLAGS_agg += $(subst -I/,-isystem /,$(shell pkg-config --cflags freetype2))
+ifneq ($(filter method_agg,$(BENCH_METHODS)),)
+BENCH_LIBRARIES := -laggfontfreetype_pic $(BENCH_LIBRARIES) $(shell pkg-config --libs freetype2)
+endif
 # gcc does not see that AGG's outlines always set what they are asked for.
 BENCH_FLAGS_agg += -Wno-maybe-uninitialized
 

@@ -8,6 +8,7 @@
 #include "bench/letters.h"
 #include "core/format/argb8888.h"
 #include "core/pel.h"
+#include "fonts.h"
 
 enum { RAMP = 256, PERIMETER = 4 };
 
@@ -37,7 +38,10 @@ struct job {
     struct pel_fan_triangle fan_triangle[PERIMETER];
     struct pel_surface texture, sprite;
     enum paint copy;
+    bool smooth, bilinear;
     const struct offset *gear;
+    struct workload_line line;
+    const struct pel_font_asset *font;
     uint8_t wrap; /* of the texture */
     enum pel_status (*stroke)(const struct pel_surface *,
                               const struct pel_polyline_shape *,
@@ -49,7 +53,8 @@ static void draw_triangles(const struct job *job, const struct item *item,
 {
     for (; n > 0; n--, item++) {
         const struct pel_flat flat = PEL_FLAT(item->color[0]);
-        pel_triangle(&job->surface, item->v, &flat.paint);
+        (job->smooth ? pel_smooth_triangle
+                     : pel_triangle)(&job->surface, item->v, &flat.paint);
     }
 }
 
@@ -63,7 +68,8 @@ static void draw_circles(const struct job *job, const struct item *item, int n)
 {
     for (; n > 0; n--, item++) {
         const struct pel_flat flat = PEL_FLAT(item->color[0]);
-        pel_circle(&job->surface, item->v[0], job->radius, &flat.paint);
+        (job->smooth ? pel_smooth_circle : pel_circle)(
+            &job->surface, item->v[0], job->radius, &flat.paint);
     }
 }
 
@@ -108,23 +114,6 @@ static void draw_rounded(const struct job *job, const struct item *item, int n)
         shape.from = item->v[0];
         shape.to = item->v[1];
         pel_rounded_rectangle(&job->surface, &shape, &flat.paint);
-    }
-}
-
-static void draw_smooth_circles(const struct job *job, const struct item *item,
-                                int n)
-{
-    for (; n > 0; n--, item++) {
-        const struct pel_flat flat = PEL_FLAT(item->color[0]);
-        pel_smooth_circle(&job->surface, item->v[0], job->radius, &flat.paint);
-    }
-}
-
-static void draw_needles(const struct job *job, const struct item *item, int n)
-{
-    for (; n > 0; n--, item++) {
-        const struct pel_flat flat = PEL_FLAT(item->color[0]);
-        pel_smooth_triangle(&job->surface, item->v, &flat.paint);
     }
 }
 
@@ -204,67 +193,66 @@ static void draw_text(const struct job *job, const struct item *item, int n)
     }
 }
 
+static void draw_glyphs(const struct job *job, const struct item *item, int n)
+{
+    struct pel_text_block text = {job->font, job->line.text, 0, 0};
+    for (; n > 0; n--, item++) {
+        const struct pel_flat flat = PEL_FLAT(item->color[0]);
+        text.x = item->v[0].x / 256;
+        text.y = (item->v[0].y + job->radius) / 256 - job->font->ascent;
+        pel_text(&job->surface, &text, &flat.paint);
+    }
+}
+
+static void draw_outlines(const struct job *job, const struct item *item, int n)
+{
+    struct pel_outline_text_block text = {.font = &font_outlines,
+                                          .string = job->line.text};
+    const int32_t size = (int32_t)(job->line.em * 256 + .5);
+    for (; n > 0; n--, item++) {
+        const struct pel_flat flat = PEL_FLAT(item->color[0]);
+        const struct pel_point pen = {item->v[0].x, item->v[0].y + job->radius};
+        text.transform = pel_outline_transform(&font_outlines, size, 0, pen);
+        pel_smooth_outline_text(&job->surface, &text, &flat.paint, job->scratch,
+                                job->scratch_size);
+    }
+}
+
 /* A paint for every triangle, as for a mesh. */
-static void draw_textured(const struct job *job, const struct item *item, int n,
-                          enum pel_status init(struct pel_texture *,
-                                               const struct pel_texels *,
-                                               const struct pel_texture_map *))
+static void draw_textured(const struct job *job, const struct item *item, int n)
 {
     const struct pel_texels texels = {&job->texture, NULL, 0, 0, true};
     struct pel_texture_map map;
     struct pel_texture paint;
     for (; n > 0; n--, item++) {
         pel_texture_map_triangle(&map, item->v, item->texel);
-        init(&paint, &texels, &map);
+        (job->bilinear ? pel_texture_init_bilinear
+                       : pel_texture_init_nearest)(&paint, &texels, &map);
         paint.wrap_u = paint.wrap_v = job->wrap;
         pel_triangle(&job->surface, item->v, &paint.base.paint);
     }
 }
 
-static void draw_nearest(const struct job *job, const struct item *item, int n)
-{
-    draw_textured(job, item, n, pel_texture_init_nearest);
-}
+typedef void draw_items(const struct job *, const struct item *, int);
 
-static void draw_bilinear(const struct job *job, const struct item *item, int n)
+static draw_items *draw_of(const struct workload *w)
 {
-    draw_textured(job, item, n, pel_texture_init_bilinear);
-}
-
-static void (*draw_of(const struct workload *w))(const struct job *,
-                                                 const struct item *, int)
-{
-    switch (w->form) {
-    case FORM_CIRCLE:
-        return w->paint == PAINT_SMOOTH ? draw_smooth_circles : draw_circles;
-    case FORM_GEAR:
-    case FORM_STROKE:
-        return w->paint == PAINT_HITS ? draw_hits : draw_gears;
-    case FORM_POLYGON:
-        return draw_polygons;
-    case FORM_LINE:
-        return draw_lines;
-    case FORM_SCREEN:
-        return w->paint == PAINT_FLAT ? draw_clears : draw_screen;
-    case FORM_BOX:
-        return draw_boxes;
-    case FORM_ROUNDED:
-        return draw_rounded;
-    case FORM_COPY:
-        return draw_copies;
-    case FORM_TEXT:
-        return draw_text;
-    case FORM_TRIANGLE:
-    case FORM_SLIVER:
-        break;
-    }
-    if (w->paint == PAINT_SMOOTH)
-        return draw_needles;
-    if (w->paint == PAINT_NEAREST)
-        return draw_nearest;
-    if (w->paint == PAINT_BILINEAR)
-        return draw_bilinear;
-    return w->paint == PAINT_GOURAUD ? draw_gouraud : draw_triangles;
+    static draw_items *const of[] = {
+        [FORM_TRIANGLE] = draw_triangles, [FORM_SLIVER] = draw_triangles,
+        [FORM_CIRCLE] = draw_circles,     [FORM_POLYGON] = draw_polygons,
+        [FORM_LINE] = draw_lines,         [FORM_SCREEN] = draw_clears,
+        [FORM_COPY] = draw_copies,        [FORM_TEXT] = draw_text,
+        [FORM_OUTLINES] = draw_outlines,  [FORM_GLYPHS] = draw_glyphs,
+        [FORM_GLYPHS_8] = draw_glyphs,    [FORM_BOX] = draw_boxes,
+        [FORM_ROUNDED] = draw_rounded,    [FORM_GEAR] = draw_gears,
+        [FORM_STROKE] = draw_gears};
+    if (w->paint == PAINT_HITS)
+        return draw_hits;
+    if (w->form == FORM_SCREEN && w->paint != PAINT_FLAT)
+        return draw_screen;
+    if (w->paint == PAINT_NEAREST || w->paint == PAINT_BILINEAR)
+        return draw_textured;
+    return w->paint == PAINT_GOURAUD ? draw_gouraud : of[w->form];
 }
 
 /* Circles and lines are about pixel centres, the others about corners. */
@@ -371,7 +359,14 @@ static void *open_job(const struct workload *w, const struct canvas *c)
     set_pictures(job, w);
     job->radius = PEL_PX(w->size);
     job->draw = draw_of(w);
+    job->smooth = w->paint == PAINT_SMOOTH;
+    job->bilinear = w->paint == PAINT_BILINEAR;
     job->gear = workload_gear(w);
+    if (workload_is_line(w))
+        job->line = workload_line(w);
+    job->font = w->form == FORM_GLYPHS_8 ? &font_8_16
+                : w->size == 16          ? &font_4_16
+                                         : &font_4_24;
     if (w->form == FORM_STROKE)
         job->stroke =
             w->paint == PAINT_SMOOTH ? pel_smooth_polyline : pel_polyline;

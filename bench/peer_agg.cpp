@@ -2,7 +2,10 @@
  * of whole pixels; smooth shapes with its coverage; its span generators for
  * gradients, Gouraud and textures. */
 #include <agg_conv_stroke.h>
+#include <agg_conv_curve.h>
 #include <agg_ellipse.h>
+#include <agg_font_cache_manager.h>
+#include <agg_font_freetype.h>
 #include <agg_gamma_functions.h>
 #include <agg_image_accessors.h>
 #include <agg_path_storage.h>
@@ -36,6 +39,9 @@ struct job {
     agg::span_allocator<color> colors;
     color ramp[256];
     bool is_wide;
+    struct workload_line text; /* no letters: none */
+    agg::font_engine_freetype_int32 engine;
+    agg::font_cache_manager<agg::font_engine_freetype_int32> glyphs{engine};
 };
 
 static color color_of(uint32_t c, unsigned alpha = 255)
@@ -181,6 +187,44 @@ static void draw_hits(struct job *job, Base &base, const struct shape *s)
                 base.copy_pixel(x, y, color_of(s->color[0]));
 }
 
+/* Letters as outlines or from the cache of their pictures. */
+template <class Base>
+static void draw_text(struct job *job, Base &base, const struct shape *s)
+{
+    using outline = agg::font_cache_manager<
+        agg::font_engine_freetype_int32>::path_adaptor_type;
+    agg::conv_curve<outline> curve(job->glyphs.path_adaptor());
+    for (int k = 0; k < job->text.letters; k++) {
+        const unsigned code = static_cast<unsigned>(job->text.text[k]);
+        job->glyphs.init_embedded_adaptors(job->glyphs.glyph(code),
+                                           s->x[0] + k * job->text.advance,
+                                           s->y[0] + job->workload->size);
+        if (job->workload->form == FORM_OUTLINES) {
+            job->rasterizer.reset();
+            job->rasterizer.add_path(curve);
+            agg::render_scanlines_aa_solid(job->rasterizer, job->levels, base,
+                                           color_of(s->color[0]));
+        } else {
+            agg::render_scanlines_aa_solid(job->glyphs.gray8_adaptor(),
+                                           job->glyphs.gray8_scanline(), base,
+                                           color_of(s->color[0]));
+        }
+    }
+}
+
+static void open_text(struct job *job)
+{
+    job->text = workload_line(job->workload);
+    job->engine.load_font(TEXT_FONT, 0,
+                          job->workload->form == FORM_OUTLINES
+                              ? agg::glyph_ren_outline
+                              : agg::glyph_ren_native_gray8);
+    job->engine.hinting(false);
+    job->engine.flip_y(true);
+    job->engine.resolution(72);
+    job->engine.height(job->text.em);
+}
+
 template <class Base>
 static void draw_shape(struct job *job, Base &base, const struct shape *s)
 {
@@ -189,6 +233,10 @@ static void draw_shape(struct job *job, Base &base, const struct shape *s)
         (w->form == FORM_BOX || w->form == FORM_SCREEN)) {
         base.copy_bar(s->x[0], s->y[0], s->x[1] - 1, s->y[1] - 1,
                       color_of(s->color[0]));
+        return;
+    }
+    if (job->text.letters > 0) {
+        draw_text(job, base, s);
         return;
     }
     set_outline(job, s);
@@ -230,7 +278,7 @@ static void *open_job(const struct workload *w, const struct canvas *c)
         w->paint == PAINT_FAN || w->paint == PAINT_RADIAL_STOPS ||
         w->paint == PAINT_CONIC_STOPS)
         return nullptr;
-    struct job *job = new struct job;
+    struct job *job = new struct job();
     const uint32_t *end = w->shape[0].color;
     job->workload = w;
     job->is_wide = c->bits == 32;
@@ -242,6 +290,8 @@ static void *open_job(const struct workload *w, const struct canvas *c)
     if (w->paint != PAINT_SMOOTH)
         job->rasterizer.gamma(agg::gamma_threshold(.5));
     job->gear = workload_gear(w);
+    if (workload_is_line(w))
+        open_text(job);
     for (int i = 0; i < 256; i++)
         job->ramp[i] = color_of(end[0]).gradient(color_of(end[1]), i / 255.);
     return job;

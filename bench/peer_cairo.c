@@ -14,6 +14,8 @@ struct job {
     cairo_t *cairo;
     cairo_pattern_t *pattern; /* of a gradient, or NULL */
     const struct offset *gear;
+    cairo_glyph_t *glyph; /* of a line at (0, 0) */
+    int glyphs;
 };
 
 static bool can_draw(const struct workload *w)
@@ -64,6 +66,26 @@ static cairo_pattern_t *gradient_of(const struct workload *w)
     return pattern;
 }
 
+/* Letters where other methods have them, as pixels or as outlines. */
+static void open_text(struct job *job, const struct workload *w)
+{
+    const struct workload_line line = workload_line(w);
+    cairo_font_options_t *options = cairo_font_options_create();
+    cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+    cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+    cairo_select_font_face(job->cairo, TEXT_FAMILY, CAIRO_FONT_SLANT_NORMAL,
+                           CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(job->cairo, line.em);
+    cairo_set_font_options(job->cairo, options);
+    cairo_font_options_destroy(options);
+    cairo_scaled_font_text_to_glyphs(cairo_get_scaled_font(job->cairo), 0, 0,
+                                     line.text, -1, &job->glyph, &job->glyphs,
+                                     NULL, NULL, NULL);
+    for (int k = 0; k < job->glyphs; k++)
+        job->glyph[k].x = k * line.advance;
+}
+
 static void *open_job(const struct workload *w, const struct canvas *c)
 {
     if (!can_draw(w))
@@ -83,6 +105,8 @@ static void *open_job(const struct workload *w, const struct canvas *c)
     cairo_set_line_width(job->cairo, w->form == FORM_STROKE ? STROKE_WIDTH : 1);
     cairo_set_line_join(job->cairo, CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_cap(job->cairo, CAIRO_LINE_CAP_SQUARE);
+    if (workload_is_line(w))
+        open_text(job, w);
     if (w->form == FORM_SCREEN && w->paint != PAINT_FLAT) {
         job->pattern = gradient_of(w);
         cairo_set_source(job->cairo, job->pattern);
@@ -132,6 +156,22 @@ static void draw_circle(cairo_t *cairo, const struct shape *s, int radius)
     cairo_fill(cairo);
 }
 
+static void draw_text(const struct job *job, const struct shape *s)
+{
+    cairo_glyph_t glyph[sizeof TEXT_LINE];
+    for (int k = 0; k < job->glyphs; k++) {
+        glyph[k] = job->glyph[k];
+        glyph[k].x += s->x[0];
+        glyph[k].y = s->y[0] + job->workload->size;
+    }
+    if (job->workload->form == FORM_OUTLINES) {
+        cairo_glyph_path(job->cairo, glyph, job->glyphs);
+        cairo_fill(job->cairo);
+    } else {
+        cairo_show_glyphs(job->cairo, glyph, job->glyphs);
+    }
+}
+
 static void draw(void *data, int first, int n)
 {
     const struct job *job = data;
@@ -152,6 +192,8 @@ static void draw(void *data, int first, int n)
             draw_gear(job->cairo, s, job->gear, w->form == FORM_STROKE);
         else if (w->form == FORM_LINE)
             draw_line(job->cairo, s);
+        else if (job->glyph)
+            draw_text(job, s);
         else
             draw_outline(job->cairo, s, vertices);
     }
@@ -162,6 +204,7 @@ static void close_job(void *data)
 {
     struct job *job = data;
     cairo_pattern_destroy(job->pattern);
+    cairo_glyph_free(job->glyph);
     cairo_destroy(job->cairo);
     cairo_surface_destroy(job->surface);
     free(job);

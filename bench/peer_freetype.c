@@ -1,5 +1,6 @@
 /* FreeType's smooth rasterizer, as text engines use it: an outline in 1/64 px,
- * whose runs of equal coverage are mixed into the canvas. */
+ * whose runs of equal coverage are mixed into the canvas; letters that it has
+ * drawn before are mixed from their pictures. */
 #include "method.h"
 
 #include <stdlib.h>
@@ -7,6 +8,7 @@
 #include <ft2build.h>
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
+#include FT_GLYPH_H
 
 /* A circle is twelve points: corners and control points of four cubic curves.
  */
@@ -21,6 +23,8 @@ struct job {
     FT_Vector point[POINTS];
     char tag[POINTS];
     short contour;
+    struct workload_line line;
+    FT_Glyph glyph[sizeof TEXT_LINE];
 };
 
 static uint32_t mix(uint32_t below, uint32_t above, uint32_t coverage)
@@ -95,6 +99,70 @@ static void set_outline(struct job *job, const struct shape *s)
             set_point(job, k, s->x[k], s->y[k]);
 }
 
+static void fail_if(FT_Error error)
+{
+    if (error)
+        method_fail("FreeType fails", "check its installation and " TEXT_FONT);
+}
+
+/* Unhinted letters, their pictures made of outlines where these are not asked
+ * for. */
+static void open_text(struct job *job)
+{
+    FT_Face face;
+    job->line = workload_line(job->workload);
+    fail_if(FT_New_Face(job->library, TEXT_FONT, 0, &face));
+    fail_if(FT_Set_Char_Size(face, 0, (FT_F26Dot6)(job->line.em * 64 + .5), 72,
+                             72));
+    for (int k = 0; k < job->line.letters; k++) {
+        fail_if(FT_Load_Char(face, (FT_ULong)job->line.text[k],
+                             FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP));
+        fail_if(FT_Get_Glyph(face->glyph, &job->glyph[k]));
+        if (job->workload->form != FORM_OUTLINES)
+            fail_if(FT_Glyph_To_Bitmap(&job->glyph[k], FT_RENDER_MODE_NORMAL,
+                                       NULL, 1));
+    }
+}
+
+static void draw_outline(const struct job *job, FT_Outline *outline)
+{
+    const struct canvas *c = job->canvas;
+    FT_Raster_Params params = {.flags = FT_RASTER_FLAG_AA |
+                                        FT_RASTER_FLAG_DIRECT |
+                                        FT_RASTER_FLAG_CLIP,
+                               .gray_spans = draw_runs,
+                               .user = (void *)(uintptr_t)job,
+                               .clip_box = {0, 0, c->width, c->height}};
+    fail_if(FT_Outline_Render(job->library, outline, &params));
+}
+
+/* There and back again: translated without a copy. */
+static void draw_letter(const struct job *job, int k, const struct shape *s)
+{
+    FT_Outline *outline = &((FT_OutlineGlyph)job->glyph[k])->outline;
+    const FT_Pos x = (FT_Pos)((s->x[0] + k * job->line.advance) * 64 + .5);
+    const FT_Pos y = (job->canvas->height - s->y[0] - job->workload->size) * 64;
+    FT_Outline_Translate(outline, x, y);
+    draw_outline(job, outline);
+    FT_Outline_Translate(outline, -x, -y);
+}
+
+static void draw_picture(const struct job *job, int k, const struct shape *s)
+{
+    const struct canvas *c = job->canvas;
+    const FT_BitmapGlyph glyph = (FT_BitmapGlyph)job->glyph[k];
+    const FT_Bitmap *b = &glyph->bitmap;
+    const int x = s->x[0] + k * (int)job->line.advance + glyph->left;
+    const int y = s->y[0] + job->workload->size - glyph->top;
+    for (int row = 0; row < (int)b->rows; row++) {
+        const uint8_t *level = b->buffer + row * b->pitch;
+        uint8_t *p = canvas_address(c, x, y + row);
+        for (unsigned i = 0; i < b->width; i++, p += c->bits / 8)
+            if (level[i])
+                put(c, p, level[i]);
+    }
+}
+
 static void *open_job(const struct workload *w, const struct canvas *c)
 {
     if (w->paint != PAINT_SMOOTH || w->form == FORM_STROKE)
@@ -115,30 +183,32 @@ static void *open_job(const struct workload *w, const struct canvas *c)
                                 .points = job->point,
                                 .tags = job->tag,
                                 .contours = &job->contour};
-    if (FT_Init_FreeType(&job->library))
-        method_fail("FreeType does not start", "check its installation");
+    fail_if(FT_Init_FreeType(&job->library));
+    if (workload_is_line(w))
+        open_text(job);
     return job;
 }
 
 static void draw(void *data, int first, int n)
 {
     struct job *job = data;
-    FT_Raster_Params params = {
-        .flags =
-            FT_RASTER_FLAG_AA | FT_RASTER_FLAG_DIRECT | FT_RASTER_FLAG_CLIP,
-        .gray_spans = draw_runs,
-        .user = job,
-        .clip_box = {0, 0, job->canvas->width, job->canvas->height}};
-    for (int i = first; i < first + n; i++) {
-        set_outline(job, &job->workload->shape[i]);
-        if (FT_Outline_Render(job->library, &job->outline, &params))
-            method_fail("FreeType draws no outline", "check its installation");
+    for (const struct shape *s = job->workload->shape + first; n > 0;
+         n--, s++) {
+        for (int k = 0; k < job->line.letters; k++)
+            (job->workload->form == FORM_OUTLINES ? draw_letter
+                                                  : draw_picture)(job, k, s);
+        if (job->line.letters == 0) {
+            set_outline(job, s);
+            draw_outline(job, &job->outline);
+        }
     }
 }
 
 static void close_job(void *data)
 {
     struct job *job = data;
+    for (int k = 0; k < job->line.letters; k++)
+        FT_Done_Glyph(job->glyph[k]);
     FT_Done_FreeType(job->library);
     free(job);
 }

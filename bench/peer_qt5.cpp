@@ -2,10 +2,14 @@
  * brush for a shape. */
 #include <cstdlib>
 
+#include <QGlyphRun>
+#include <QGuiApplication>
 #include <QImage>
 #include <QLinearGradient>
 #include <QPainter>
+#include <QPainterPath>
 #include <QPolygon>
+#include <QRawFont>
 
 extern "C" {
 #include "method.h"
@@ -22,6 +26,8 @@ struct job {
     QImage sprite;
     QPainter *painter;
     struct item *item;
+    QGlyphRun run;     /* of a line at (0, 0), */
+    QPainterPath path; /* or its outlines */
 };
 
 static QBrush gradient_of(const struct workload *w, const struct shape *s)
@@ -82,6 +88,27 @@ static struct item item_of(const struct workload *w, const struct shape *s,
     return item;
 }
 
+static void open_text(struct job *job)
+{
+    static char name[] = "bench", option[] = "-platform", value[] = "offscreen";
+    static char *arguments[] = {name, option, value, nullptr};
+    static int n = 3;
+    if (!qGuiApp)
+        new QGuiApplication(n, arguments);
+    const struct workload_line line = workload_line(job->workload);
+    const QRawFont font(QString(TEXT_FONT), line.em, QFont::PreferNoHinting);
+    const QVector<quint32> glyphs = font.glyphIndexesForString(line.text);
+    QVector<QPointF> places;
+    for (int k = 0; k < line.letters; k++) {
+        places.append(QPointF(k * line.advance, 0));
+        job->path.addPath(font.pathForGlyph(glyphs[k]).translated(places[k]));
+    }
+    job->path.setFillRule(Qt::WindingFill);
+    job->run.setRawFont(font);
+    job->run.setGlyphIndexes(glyphs);
+    job->run.setPositions(places);
+}
+
 static void *open_job(const struct workload *w, const struct canvas *c)
 {
     if (w->paint == PAINT_GOURAUD || w->paint == PAINT_DITHERED ||
@@ -115,6 +142,8 @@ static void *open_job(const struct workload *w, const struct canvas *c)
                                  : job->image->format());
     if (w->paint == PAINT_COPY || w->paint == PAINT_CONVERT)
         job->painter->setCompositionMode(QPainter::CompositionMode_Source);
+    if (workload_is_line(w))
+        open_text(job);
     job->item = new struct item[static_cast<size_t>(w->count)];
     for (int i = 0; i < w->count; i++)
         job->item[i] = item_of(w, &w->shape[i], texture);
@@ -129,6 +158,21 @@ static void draw_gear(QPainter *painter, const struct offset *gear,
         point[k] = QPointF(center.x() + .5 + gear[k].x / 256.,
                            center.y() + .5 + gear[k].y / 256.);
     painter->drawPolygon(point, GEAR_SIDES);
+}
+
+static void draw_text(const struct job *job, const struct item *item)
+{
+    QPainter *painter = job->painter;
+    const QPoint at = item->point[0] + QPoint(0, job->workload->size);
+    if (job->workload->form == FORM_OUTLINES) {
+        painter->setBrush(item->brush);
+        painter->translate(at);
+        painter->drawPath(job->path);
+        painter->translate(-at);
+    } else {
+        painter->setPen(item->brush.color());
+        painter->drawGlyphRun(at, job->run);
+    }
 }
 
 static void draw_shape(QPainter *painter, const struct workload *w,
@@ -175,6 +219,8 @@ static void draw(void *data, int first, int n)
     for (const struct item *item = job->item + first; n > 0; n--, item++)
         if (job->workload->form == FORM_COPY)
             job->painter->drawImage(item->point[0], job->sprite);
+        else if (!job->path.isEmpty())
+            draw_text(job, item);
         else
             draw_shape(job->painter, job->workload, item);
 }

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define BIG 1200, 1200, 32
 #define PANEL 320, 240, 16
@@ -75,6 +76,12 @@ const struct workload workloads[] = {
     BOTH("smooth-polygon-100", FORM_GEAR, PAINT_SMOOTH, 100, 400),
     BOTH("stroke-100", FORM_STROKE, PAINT_FLAT, 100, 400),
     BOTH("smooth-stroke-100", FORM_STROKE, PAINT_SMOOTH, 100, 400),
+    BOTH("smooth-outlines-16", FORM_OUTLINES, PAINT_SMOOTH, 16, 400),
+    BOTH("smooth-outlines-24", FORM_OUTLINES, PAINT_SMOOTH, 24, 400),
+    BOTH("smooth-outlines-48", FORM_OUTLINES, PAINT_SMOOTH, 48, 400),
+    BOTH("smooth-text-16", FORM_GLYPHS, PAINT_SMOOTH, 16, 1000),
+    BOTH("smooth-text-24", FORM_GLYPHS, PAINT_SMOOTH, 24, 1000),
+    BOTH("smooth-text-16-8bit", FORM_GLYPHS_8, PAINT_SMOOTH, 16, 1000),
     {"hits-100", FORM_GEAR, PAINT_HITS, BIG, HIT_SIDE / 2 * HIT_STEP, 0, 0, 200,
      0},
     {0},
@@ -91,6 +98,9 @@ int workload_vertices(const struct workload *w)
     case FORM_SCREEN:
     case FORM_COPY:
     case FORM_TEXT:
+    case FORM_OUTLINES:
+    case FORM_GLYPHS:
+    case FORM_GLYPHS_8:
     case FORM_BOX:
     case FORM_ROUNDED:
         return 2;
@@ -153,6 +163,25 @@ const struct offset *workload_gear(const struct workload *w)
     return vertex;
 }
 
+bool workload_is_line(const struct workload *w)
+{
+    return w->form >= FORM_OUTLINES && w->form <= FORM_GLYPHS_8;
+}
+
+/* An em has 2,048 units. In lines of whole pixels, 19 and 29, Pel's pictures
+ * are a quarter of one smaller than what has 2,384 units. */
+struct workload_line workload_line(const struct workload *w)
+{
+    struct workload_line line = {"", 384 / w->size, w->size, 0};
+    if (w->form != FORM_OUTLINES)
+        line.em = (w->size == 16 ? 18.75 : 28.75) / 2384 * 2048;
+    line.advance = line.em * 1233 / 2048;
+    if (w->form != FORM_OUTLINES)
+        line.advance = rint(line.advance);
+    memcpy(line.text, TEXT_LINE, (size_t)line.letters);
+    return line;
+}
+
 bool workload_open(struct workload *w)
 {
     void (*const make[])(const struct workload *, struct random *,
@@ -162,7 +191,9 @@ bool workload_open(struct workload *w)
         [FORM_LINE] = line_make,         [FORM_SCREEN] = screen_make,
         [FORM_COPY] = copy_make,         [FORM_TEXT] = text_make,
         [FORM_BOX] = box_make,           [FORM_ROUNDED] = box_make,
-        [FORM_GEAR] = circle_make,       [FORM_STROKE] = circle_make,
+        [FORM_OUTLINES] = text_make,     [FORM_GLYPHS] = text_make,
+        [FORM_GLYPHS_8] = text_make,     [FORM_GEAR] = circle_make,
+        [FORM_STROKE] = circle_make,
     };
     struct random r = {88172645463325252u};
     w->shape = calloc((size_t)w->count, sizeof *w->shape);

@@ -16,13 +16,16 @@ enum form {
     FORM_CIRCLE,
     FORM_POLYGON,
     FORM_LINE,
-    FORM_SCREEN,  /* the whole canvas */
-    FORM_COPY,    /* of the sprite, to a random place */
-    FORM_TEXT,    /* a line of letters there */
-    FORM_BOX,     /* a rectangle of whole pixels, size x size */
-    FORM_ROUNDED, /* the same, 5/3 as wide, its corners round */
-    FORM_GEAR,    /* an outline of GEAR_SIDES sides around a pixel's centre */
-    FORM_STROKE   /* a line along it, STROKE_WIDTH px wide, with round joins */
+    FORM_SCREEN,   /* the whole canvas */
+    FORM_COPY,     /* of the sprite, to a random place */
+    FORM_TEXT,     /* a line of letters there */
+    FORM_OUTLINES, /* letters with an em of `size` px, each filled */
+    FORM_GLYPHS, /* nearly the same from pictures, of 4 bits a pixel in Pel, */
+    FORM_GLYPHS_8, /* of 8 bits */
+    FORM_BOX,      /* a rectangle of whole pixels, size x size */
+    FORM_ROUNDED,  /* the same, 5/3 as wide, its corners round */
+    FORM_GEAR,     /* an outline of GEAR_SIDES sides around a pixel's centre */
+    FORM_STROKE    /* a line along it, STROKE_WIDTH px wide, with round joins */
 };
 
 /* Linear gradients run from corner (0, 0) of the canvas to the shape's vertex
@@ -120,6 +123,22 @@ const struct offset *workload_gear(const struct workload *w);
 
 /* Letters of a line of text, and the size of each, px. */
 enum { TEXT_LETTERS = 24, LETTER_SIDE = 8 };
+
+/* The first letters of TEXT_LINE are what FORM_OUTLINES to FORM_GLYPHS_8 write,
+ * unhinted, of a font whose letters are equally wide, on a baseline `size` px
+ * below the shape's first corner. */
+#define TEXT_LINE "Hamburgefonstiv 12.5 kHz"
+#define TEXT_FAMILY "DejaVu Sans Mono"
+#define TEXT_FONT "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf"
+
+struct workload_line {
+    char text[sizeof TEXT_LINE];
+    int letters;
+    double em;      /* px */
+    double advance; /* px from letter to letter */
+};
+bool workload_is_line(const struct workload *w);
+struct workload_line workload_line(const struct workload *w);
 
 /* A random turn of the texture about its middle, where vertex 0 lies. */
 void texture_place(struct random *r, struct shape *s);

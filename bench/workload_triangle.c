@@ -86,7 +86,13 @@ void copy_make(const struct workload *w, struct random *r, struct shape *s)
 
 void text_make(const struct workload *w, struct random *r, struct shape *s)
 {
-    place_inside(w, r, s, TEXT_LETTERS * LETTER_SIDE, LETTER_SIDE);
+    if (w->form == FORM_TEXT) {
+        place_inside(w, r, s, TEXT_LETTERS * LETTER_SIDE, LETTER_SIDE);
+    } else {
+        const struct workload_line line = workload_line(w);
+        place_inside(w, r, s, (int)(line.letters * line.advance) + 1,
+                     w->size * 5 / 4);
+    }
 }
 
 void box_make(const struct workload *w, struct random *r, struct shape *s)
