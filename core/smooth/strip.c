@@ -89,30 +89,22 @@ struct pel_smooth_slope pel_smooth_slope_of(uint64_t step)
 
 /* The area between an arc and its chord of length l is
  *     l^3 / 12 r (1 + 3/10 q^2 + 9/56 q^4 ..), q = l / 2 r.
- * l = (du v + dv u) / (r sqrt(1 - q^2)), with (u, v) the chord's middle, since
- * the chord is at a right angle to the radius there. With r alone for that
- * divisor the sum is 1.71 at most, for a quarter of a circle; the cubic is off
- * by .0012 of it. du, dv in 2^-11 px, u and v in 2^-10 px: the products are
- * below 2^11.5 2^8 r 2^12 / r, then 2^31. In 2^-15 px.
- *
- * From 40 px on r, u and v are 2^-down of what they are, and the inverse has 7
- * bits: an area is below .006 px and off by 2 %, .03 of 255. There q is 2^down
- * too large, and the cubic still below .001. */
-static PEL_ALWAYS_INLINE uint32_t bulge_of(const struct pel_smooth_circle *c,
-                                           const struct pel_smooth_arc_piece *p)
+ * Below 40 px of radius l = (du v + dv u) / (r sqrt(1 - q^2)), with (u, v) the
+ * chord's middle, since the chord is at a right angle to the radius there. With
+ * r alone for that divisor the sum is 1.71 at most, for a quarter of a circle;
+ * the cubic is off by .0012 of it. du, dv in 2^-11 px, u and v in 2^-10 px: the
+ * products are below 2^11.5 2^8 r 2^12 / r, then 2^31. In 2^-15 px. */
+static uint32_t small_bulge(const struct pel_smooth_circle *c,
+                            const struct pel_smooth_arc_piece *p)
 {
-    if (c->oval)
-        return c->oval->bulge(c->oval, p);
     const uint32_t du = (uint32_t)(p->u1 - p->u0) >> 5;
     const uint32_t dv = (uint32_t)(p->v0 - p->v1) >> 5;
-    const uint32_t u = ((uint32_t)p->u0 + (uint32_t)p->u1) >> (7 + c->down);
-    const uint32_t v = ((uint32_t)p->v0 + (uint32_t)p->v1) >> (7 + c->down);
+    const uint32_t u = ((uint32_t)p->u0 + (uint32_t)p->u1) >> 7;
+    const uint32_t v = ((uint32_t)p->v0 + (uint32_t)p->v1) >> 7;
     const uint32_t square = du * du + dv * dv;
     const uint32_t length = ((du * v + dv * u) >> 2) * c->inverse >> 20;
     const uint32_t three = ((square >> 4) * length >> 14) * c->inverse >> 14;
-    const uint32_t area = (three >> c->down) * 21845 >> 16;
-    if (c->down)
-        return area;
+    const uint32_t area = three * 21845 >> 16;
     const uint32_t k = c->inverse >> 3;
     const uint32_t q = (square >> 6) * (k * k >> 4) >> 16;
     uint32_t more = 15469 + (120567 * q >> 16);
@@ -120,27 +112,81 @@ static PEL_ALWAYS_INLINE uint32_t bulge_of(const struct pel_smooth_circle *c,
     return area + (area * (more * q >> 16) >> 16);
 }
 
-/* What lies below a piece and above the strip's near end, 2^-15 px: the factors
- * are at most 2^15 and 2^16. */
-static PEL_HOT_LOOP uint32_t area_of(const struct pel_smooth_strip *s,
-                                     const struct pel_smooth_arc_piece *p)
+/* From 40 px on l is what a piece has along the axis that the strip's arc goes
+ * along, times r / z, z the distance from the centre along the other one, at
+ * the middle of the strip: at least .69 r. */
+static inline bool is_steep(const struct pel_smooth_strip *s)
+{
+    return s->at_near - s->at_far < s->far - s->near;
+}
+
+/* (r / z)^3 / 12 r, 2^-24 px: the area of a piece that goes along the axis for
+ * a pixel, below .006 px. With z = (1 - e) r, 4/3 (1 - e)^-3 is a polynomial
+ * that is off by 1.6 %, and the middle of the strip for that of the piece by 5
+ * %, where r is 40 px: together by .1 of 255. The factors are below 2^18 2^8,
+ * 2^17 2^11, 2^14 2^8. */
+static uint32_t pixel_bulge(const struct pel_smooth_strip *s)
+{
+    const struct pel_smooth_circle *const c = s->circle;
+    const bool steep = is_steep(s);
+    const uint32_t z = (uint32_t)(steep ? s->at_near : s->near) +
+                       (uint32_t)(steep ? s->at_far : s->far);
+    const uint32_t e =
+        ((uint32_t)c->radius - (z >> 9)) * c->inverse >> (8 + c->down);
+    uint32_t p = 10824 + (77681 * e >> 12);
+    p = 5546 + (p * e >> 12);
+    return p * c->inverse >> (4 + c->down);
+}
+
+/* Of a piece that goes along it for w, at most 2^16: below 2^17 2^15. */
+static inline uint32_t large_bulge(uint32_t pixel, int32_t w)
+{
+    const uint32_t half = (uint32_t)w >> 1, square = half * half >> 15;
+    return pixel * (square * half >> 15) >> 24;
+}
+
+static uint32_t bulge_of(const struct pel_smooth_strip *s,
+                         const struct pel_smooth_arc_piece *p)
+{
+    const struct pel_smooth_circle *const c = s->circle;
+    if (c->oval)
+        return c->oval->bulge(c->oval, p);
+    if (c->down == 0)
+        return small_bulge(c, p);
+    return large_bulge(pixel_bulge(s),
+                       is_steep(s) ? p->v0 - p->v1 : p->u1 - p->u0);
+}
+
+/* What lies below a piece's chord and above the strip's near end, 2^-15 px: the
+ * factors are at most 2^15 and 2^16. */
+static inline uint32_t chord_area(const struct pel_smooth_strip *s,
+                                  const struct pel_smooth_arc_piece *p)
 {
     const uint32_t w = (uint32_t)(p->u1 - p->u0);
     const uint32_t h = (uint32_t)(p->v0 - s->near + p->v1 - s->near);
-    return ((w >> 1) * (h >> 1) >> 16) +
-           (s->circle ? bulge_of(s->circle, p) : 0);
+    return (w >> 1) * (h >> 1) >> 16;
 }
 
-/* The height of the arc at a column's boundary, in the strip. Of a line the
- * product is below 2^32. */
-static inline int32_t height_at(const struct pel_smooth_strip *s, int32_t u)
+/* With what lies between the chord and the arc. */
+static PEL_HOT_LOOP uint32_t area_of(const struct pel_smooth_strip *s,
+                                     const struct pel_smooth_arc_piece *p)
+{
+    return chord_area(s, p) + (s->circle ? bulge_of(s, p) : 0);
+}
+
+/* The height of a line at a column's boundary: the product is below 2^32. */
+static inline int32_t line_at(const struct pel_smooth_strip *s, int32_t u)
 {
     const uint32_t way = (uint32_t)(u - s->at_far);
+    const uint32_t moved = way << s->slope.up >> s->slope.down;
+    return s->far - (int32_t)(moved * s->slope.rise >> 15);
+}
+
+/* The height of the arc at a column's boundary, in the strip. */
+static inline int32_t height_at(const struct pel_smooth_strip *s, int32_t u)
+{
     const int32_t v =
-        s->circle ? pel_smooth_arc_at(s->circle, u >> 8, true)
-                  : s->far - (int32_t)((way << s->slope.up >> s->slope.down) *
-                                           s->slope.rise >>
-                                       15);
+        s->circle ? pel_smooth_arc_at(s->circle, u >> 8, true) : line_at(s, u);
     return pel_max(s->near, pel_min(v, s->far));
 }
 
@@ -158,14 +204,30 @@ uint32_t pel_smooth_column_area(const struct pel_smooth_strip *s, int32_t u,
 }
 
 #if !PEL_SMOOTH_TINY
+/* Is it a circle that cover_arc takes? */
+static inline bool is_large(const struct pel_smooth_circle *c)
+{
+    return c && c->down > 0 && !c->oval && c->radius < 65536;
+}
+
+/* Of all that a strip has of a circle. */
+static PEL_NOINLINE uint32_t all_bulge(const struct pel_smooth_strip *s)
+{
+    const struct pel_smooth_arc_piece all = {s->at_far, s->far, s->at_near,
+                                             s->near};
+    return bulge_of(s, &all);
+}
+
 static inline void put_area(uint32_t area, uint32_t flip, uint8_t *to)
 {
     *to = pel_smooth_coverage((area ^ flip) + (flip & 32769));
 }
 
-/* Columns from u on, of which the side leaves the first one. */
-static void cover_columns(const struct pel_smooth_side *k, int32_t u,
-                          uint32_t flip, uint8_t *to)
+/* Columns from u on, of which the side leaves the first one; of lines, or of
+ * all kinds. */
+static PEL_ALWAYS_INLINE void cover_columns(const struct pel_smooth_side *k,
+                                            int32_t u, uint32_t flip,
+                                            uint8_t *to, bool line)
 {
     const struct pel_smooth_strip *const s = k->strip;
     const int32_t step = k->left ? -1 : 1, near = s->near, last = s->at_near;
@@ -174,30 +236,101 @@ static void cover_columns(const struct pel_smooth_side *k, int32_t u,
     for (int32_t n = k->bytes; n > 0; n--, to += step) {
         u += 65536;
         const int32_t u1 = pel_min(u, last);
-        const int32_t v1 = u < last ? height_at(s, u) : near;
+        const int32_t v1 = u >= last ? near
+                           : line    ? pel_max(near, line_at(s, u))
+                                     : height_at(s, u);
         const struct pel_smooth_arc_piece p = {u0, v0, u1, v1};
-        put_area(whole + area_of(s, &p), flip, to);
+        put_area(whole + (line ? chord_area(s, &p) : area_of(s, &p)), flip, to);
         u0 = u1;
         v0 = v1;
         whole = 0;
     }
 }
 
+static PEL_NOINLINE void cover_line(const struct pel_smooth_side *k, int32_t u,
+                                    uint32_t flip, uint8_t *to)
+{
+    cover_columns(k, u, flip, to, true);
+}
+
+static PEL_NOINLINE void cover_any(const struct pel_smooth_side *k, int32_t u,
+                                   uint32_t flip, uint8_t *to)
+{
+    cover_columns(k, u, flip, to, false);
+}
+
+/* The height of the arc of a circle whose square has 32 bits, in its strip.
+ * Roots further out need no smaller shift. */
+static PEL_ALWAYS_INLINE int32_t arc_height(const struct pel_smooth_strip *s,
+                                            uint32_t square, int32_t u,
+                                            int32_t *shift)
+{
+    const uint32_t d = (uint32_t)u >> 8;
+    uint32_t n = (square - d * d) << *shift;
+    for (; n < UINT32_C(1) << 30; n <<= 2)
+        *shift += 2;
+    const int32_t v = (int32_t)(root_of(n) >> (2 + (*shift >> 1))) - s->near;
+    return pel_max(0, pel_min(v, s->far - s->near));
+}
+
+/* The area below a piece of it that goes along for w and down from v0 to v1. */
+static inline uint32_t piece_area(const struct pel_smooth_strip *s, int32_t w,
+                                  int32_t v0, int32_t v1)
+{
+    return ((uint32_t)(w >> 1) * ((uint32_t)(v0 + v1) >> 1) >> 16) +
+           large_bulge(s->bulge, is_steep(s) ? v0 - v1 : w);
+}
+
+/* The same of such a circle, two columns or more: a part of the first one,
+ * whole ones, a part of the last one. */
+static PEL_NOINLINE void cover_arc(const struct pel_smooth_side *k, int32_t u,
+                                   uint32_t flip, uint8_t *to)
+{
+    const struct pel_smooth_strip *const s = k->strip;
+    const int32_t step = k->left ? -1 : 1, w = u + 65536 - s->at_far;
+    const uint32_t r = (uint32_t)s->circle->radius, square = r * r;
+    const uint8_t *const last = to + (k->bytes - 1) * step;
+    int32_t shift = 0, v0 = arc_height(s, square, u += 65536, &shift);
+    put_area(((uint32_t)(65536 - w) >> 1) +
+                 piece_area(s, w, s->far - s->near, v0),
+             flip, to);
+    for (; u + 65536 < s->at_near; u += 65536) {
+        const int32_t v1 = arc_height(s, square, u + 65536, &shift);
+        put_area(((uint32_t)(v0 + v1) >> 2) + (s->bulge >> 9), flip,
+                 to += step);
+        v0 = v1;
+    }
+    put_area(piece_area(s, s->at_near - u, v0, 0), flip, to += step);
+    if (to != last)
+        put_area(0, flip, to + step);
+}
+
 void pel_smooth_side_cover(const struct pel_smooth_side *k, uint8_t *to)
 {
     const struct pel_smooth_strip *const s = k->strip;
     const uint32_t flip = k->left == k->rising ? 0 : ~UINT32_C(0);
-    const int32_t x = k->left ? -k->columns.x1 : k->columns.x0;
-    const int32_t u = (x * 256 - k->center) * 256;
-    const struct pel_smooth_arc_piece all = {s->at_far, s->far, s->at_near,
-                                             s->near};
+    const int32_t u = k->u;
     to += k->left ? k->bytes - 1 : 0;
     if (s->at_near - u > 65536) {
-        cover_columns(k, u, flip, to);
+        if (s->bulge)
+            cover_arc(k, u, flip, to);
+        else if (s->circle)
+            cover_any(k, u, flip, to);
+        else
+            cover_line(k, u, flip, to);
         return;
     }
-    put_area(((uint32_t)(s->at_far - u) >> 1) + area_of(s, &all), flip, to);
+    uint32_t area = ((uint32_t)(s->at_far - u) >> 1) +
+                    ((uint32_t)(s->at_near - s->at_far) >> 2) + (s->bulge >> 9);
+    if (s->circle && s->bulge == 0)
+        area += all_bulge(s);
+    put_area(area, flip, to);
     if (k->bytes > 1)
         put_area(0, flip, to + (k->left ? -1 : 1));
+}
+
+void pel_smooth_strip_begin(struct pel_smooth_strip *s)
+{
+    s->bulge = is_large(s->circle) ? pixel_bulge(s) : 0;
 }
 #endif

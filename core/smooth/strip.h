@@ -20,6 +20,7 @@
 
 #include "../base/format.h"
 #include "../base/point.h"
+#include "smooth.h"
 
 /* A piece of an arc from (u0, v0) to (u1, v1), u0 <= u1 and v0 >= v1, from the
  * centre. */
@@ -60,6 +61,9 @@ struct pel_smooth_strip {
     struct pel_smooth_slope slope;          /* .. which has this */
     int32_t near, far;       /* 0 <= near < far, at most a pixel more */
     int32_t at_near, at_far; /* where the arc is there */
+#if !PEL_SMOOTH_TINY
+    uint32_t bulge; /* as pel_smooth_strip_begin sets it */
+#endif
 };
 
 /* Of a legal radius, and no oval. */
@@ -113,12 +117,17 @@ struct pel_smooth_side {
     const struct pel_smooth_strip *strip;
     int32_t center;
     struct pel_span columns;
+    int32_t u; /* the inner boundary of the first one from its axis */
     int32_t bytes;
     bool left, rising;                   /* as of a crossing (outline.h) */
     const struct pel_smooth_side *image; /* its mirror image, whose bytes are
                                             its own backwards; or NULL */
     const uint8_t *at;                   /* its bytes */
 };
+
+/* Sets the bulge of a piece of a large circle that goes along an axis for a
+ * pixel, or 0. */
+void pel_smooth_strip_begin(struct pel_smooth_strip *strip);
 
 /* Writes the coverage of all columns of a side. */
 void pel_smooth_side_cover(const struct pel_smooth_side *side, uint8_t *to);

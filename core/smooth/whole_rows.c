@@ -13,9 +13,10 @@ enum { MOST = 4 };
 struct sides {
     struct pel_smooth_visitor visitor; /* first */
     const struct pel_rect *seen;
+    int32_t row; /* of what follows */
     int32_t n, crossings;
-    struct pel_smooth_crossing crossing[MOST];
     struct pel_smooth_side side[MOST];
+    struct pel_smooth_crossing crossing[MOST];
 };
 
 static bool is_whole(const struct pel_smooth_crossing *c)
@@ -45,16 +46,15 @@ static void place(struct pel_smooth_visitor *sides,
         s->n = MOST + 1;
         return;
     }
-    const struct pel_smooth_side side = {.strip = strip_of(s, c),
-                                         .center = c->center,
-                                         .columns =
-                                             pel_smooth_crossing_columns(c),
-                                         .left = c->left,
-                                         .rising = c->rising};
-    int32_t i = s->n++;
-    for (; i > 0 && s->side[i - 1].columns.x0 > side.columns.x0; i--)
-        s->side[i] = s->side[i - 1];
-    s->side[i] = side;
+    const struct pel_span columns = pel_smooth_crossing_columns(c);
+    struct pel_smooth_side *k = s->side + s->n++;
+    for (; k > s->side && k[-1].columns.x0 > columns.x0; k--)
+        *k = k[-1];
+    k->strip = strip_of(s, c);
+    k->center = c->center;
+    k->columns = columns;
+    k->left = c->left;
+    k->rising = c->rising;
 }
 
 /* Is side b the image of a, column by column? */
@@ -79,6 +79,8 @@ static bool find_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
             return false;
         k->image = is_mirror(other, k) ? other : NULL;
     }
+    for (int32_t i = 0; i < s->crossings; i++)
+        pel_smooth_strip_begin(&s->crossing[i].strip);
     return true;
 }
 
@@ -113,6 +115,7 @@ static bool move_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
         struct pel_smooth_crossing *const c = &s->crossing[i];
         if (c->other < 0) {
             move_down(&c->strip, c->below);
+            pel_smooth_strip_begin(&c->strip);
             continue;
         }
         if (!o->other(o, y, c->other, c) || !is_whole(c))
@@ -120,25 +123,6 @@ static bool move_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
         for (int32_t k = 0; k < s->n; k++)
             if (s->side[k].strip == &c->strip)
                 s->side[k].center = c->center;
-    }
-    return true;
-}
-
-/* Are the sides apart from each other? Finds their columns. */
-static bool are_apart(struct sides *s)
-{
-    const struct pel_rect *const seen = s->seen;
-    int32_t end = INT32_MIN;
-    for (struct pel_smooth_side *k = s->side; k < s->side + s->n; k++) {
-        struct pel_span c = pel_smooth_crossed(k->strip, k->center);
-        if (k->left)
-            c = (struct pel_span){-c.x1, -c.x0};
-        if (end > c.x0)
-            return false;
-        end = c.x1;
-        const bool is_seen = c.x0 < seen->x1 && c.x1 > seen->x0;
-        k->columns = c;
-        k->bytes = is_seen ? c.x1 - c.x0 : 0;
     }
     return true;
 }
@@ -179,18 +163,18 @@ static int32_t find_end(const struct pel_smooth_outline *o, int32_t y)
 
 /* What is between two sides, and where the bytes of the next row go. */
 struct pair {
-    struct pel_smooth_batch batch;
     uint8_t *to;
+    struct pel_smooth_batch batch;
 };
 
 /* What is between the first two sides, and between the other two. */
 struct rows {
-    struct pair pair[MOST / 2];
     int32_t sides;
+    struct pair pair[MOST / 2];
 };
 
 /* Writes the bytes of a side, and returns where they end. */
-static uint8_t *put_side(struct pel_smooth_side *k, uint8_t *to)
+static inline uint8_t *put_side(struct pel_smooth_side *k, uint8_t *to)
 {
     int32_t n = k->bytes;
     k->at = to;
@@ -205,57 +189,83 @@ static uint8_t *put_side(struct pel_smooth_side *k, uint8_t *to)
     return to;
 }
 
-static void put_pair(struct pair *p, struct pel_smooth_side *k)
+/* Finds the columns of a side, which lie right of x: where they end. */
+static inline bool find_columns(struct pel_smooth_side *k,
+                                const struct pel_rect *seen, int32_t x)
+{
+    struct pel_span c = pel_smooth_crossed(k->strip, k->center);
+    k->u = (c.x0 * 256 - k->center) * 256;
+    if (k->left)
+        c = (struct pel_span){-c.x1, -c.x0};
+    const bool is_seen = c.x0 < seen->x1 && c.x1 > seen->x0;
+    k->columns = c;
+    k->bytes = is_seen ? c.x1 - c.x0 : 0;
+    return c.x0 >= x;
+}
+
+/* Adds a row of two sides, if they are apart, right of x, and there is room. */
+static bool put_pair(struct pair *p, struct pel_smooth_side *k,
+                     const struct pel_rect *seen, int32_t x)
 {
     struct pel_smooth_batch *const b = &p->batch;
+    if (!find_columns(&k[0], seen, x) ||
+        !find_columns(&k[1], seen, k[0].columns.x1) ||
+        k[0].bytes + k[1].bytes > b->coverage + PEL_SMOOTH_BATCH_BYTES - p->to)
+        return false;
     const int32_t at = 2 * b->n++;
     b->count[at] = (uint8_t)k[0].bytes;
     b->count[at + 1] = (uint8_t)k[1].bytes;
     b->at.x[at] = k[0].columns.x1;
     b->at.x[at + 1] = k[1].columns.x0;
     p->to = put_side(&k[1], put_side(&k[0], p->to));
-}
-
-static bool has_room(const struct pair *p, const struct pel_smooth_side *k)
-{
-    return k[0].bytes + k[1].bytes <=
-           p->batch.coverage + PEL_SMOOTH_BATCH_BYTES - p->to;
-}
-
-/* Adds a row, if there is room. */
-static bool add_row(struct rows *r, struct sides *s)
-{
-    const bool two = s->n > 2;
-    if (!has_room(&r->pair[0], &s->side[0]) ||
-        (two && !has_room(&r->pair[1], &s->side[2])))
-        return false;
-    r->sides = s->n;
-    put_pair(&r->pair[0], &s->side[0]);
-    if (two)
-        put_pair(&r->pair[1], &s->side[2]);
     return true;
 }
 
-static PEL_NOINLINE_32 void find_rows(struct pel_smooth_outline *o, int32_t y,
-                                      int32_t end, struct rows *r)
+/* Adds a row, if its sides are apart and there is room. */
+static bool add_row(struct rows *r, struct sides *s)
 {
+    if (!put_pair(&r->pair[0], &s->side[0], s->seen, INT32_MIN))
+        return false;
+    if (s->n > 2 &&
+        !put_pair(&r->pair[1], &s->side[2], s->seen, s->side[1].columns.x1)) {
+        r->pair[0].batch.n--;
+        return false;
+    }
+    r->sides = s->n;
+    return true;
+}
+
+/* Goes to row y. False: its sides are not whole. */
+static bool go_to(struct pel_smooth_outline *o, int32_t y, struct sides *s)
+{
+    if (s->row == y)
+        return true;
     if (y > o->alike)
         o->alike = find_end(o, y);
-    struct sides s;
-    s.visitor.visit = place;
-    s.seen = &o->seen;
+    const bool moves = s->row == y - 1 && y < o->alike;
+    s->row = INT32_MIN;
+    if (!(moves ? move_sides(o, y, s) : find_sides(o, y, s)))
+        return false;
+    s->row = y;
+    return true;
+}
+
+/* Makes batches of the rows from y on: returns their number. */
+static PEL_NOINLINE_32 int32_t find_rows(struct pel_smooth_outline *o,
+                                         int32_t y, int32_t end,
+                                         struct sides *s, struct rows *r)
+{
+    int32_t n = 0;
     for (int i = 0; i < 2; i++) {
         r->pair[i].batch.y = y;
         r->pair[i].batch.n = 0;
         r->pair[i].to = r->pair[i].batch.coverage;
     }
     r->sides = 0;
-    while (y < end && r->pair[0].batch.n < PEL_SMOOTH_BATCH_ROWS &&
-           (r->sides && y < o->alike ? move_sides(o, y, &s)
-                                     : find_sides(o, y, &s)) &&
-           (r->sides == 0 || s.n == r->sides) && are_apart(&s) &&
-           add_row(r, &s))
-        y++;
+    while (y + n < end && n < PEL_SMOOTH_BATCH_ROWS && go_to(o, y + n, s) &&
+           (n == 0 || s->n == r->sides) && add_row(r, s))
+        n++;
+    return n;
 }
 
 static void paint(const struct pel_smooth_outline *o,
@@ -274,11 +284,17 @@ int32_t pel_smooth_whole_rows(struct pel_smooth_outline *o, int32_t y,
                               int32_t end)
 {
     struct rows r;
-    find_rows(o, y, end, &r);
-    const int32_t n = r.pair[0].batch.n;
-    for (int32_t i = 0; i < r.sides / 2; i++)
-        paint(o, &r.pair[i].batch);
-    return n;
+    struct sides s;
+    int32_t rows = 0, n;
+    s.visitor.visit = place;
+    s.seen = &o->seen;
+    s.row = INT32_MIN;
+    while ((n = find_rows(o, y + rows, end, &s, &r)) > 0) {
+        for (int32_t i = 0; i < r.sides / 2; i++)
+            paint(o, &r.pair[i].batch);
+        rows += n;
+    }
+    return rows;
 }
 
 #endif
