@@ -101,8 +101,7 @@ static double error_of(const struct stage *s)
 
 static void put_shares(struct atlas *a, struct stage *s, double tolerance)
 {
-    static const char *const names[PEL_METHODS] = {"flat", "gouraud",
-                                                   "phong by spans", "phong"};
+    static const char *const names[PEL_METHODS] = {"flat", "gouraud", "phong"};
     struct pel_stats stats = {0};
     double all = 0;
     s->scene.shading = &pel_shade_counted;

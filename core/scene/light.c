@@ -210,9 +210,9 @@ void pel_light_towards(const struct pel_mesh_light *light,
         direction(position, light->at, towards[2]);
 }
 
-void pel_mesh_lights_sum(const struct pel_mesh_lights *lights,
-                         const int32_t value[PEL_LIGHT_VALUES],
-                         struct pel_light_sum *sum)
+static void sum_of(const struct pel_mesh_lights *lights,
+                   const int32_t value[PEL_LIGHT_VALUES],
+                   struct pel_light_sum *sum)
 {
     pel_cosine towards[3][3];
     if (!pel_light_start(lights, value, towards, sum))
@@ -223,12 +223,17 @@ void pel_mesh_lights_sum(const struct pel_mesh_lights *lights,
     }
 }
 
-pel_color pel_lit_color(const struct pel_light_sum *sum, pel_color surface)
+void pel_color_values(pel_color color, int32_t value[PEL_VALUES])
 {
-    pel_color out = surface & UINT32_C(0xFF000000);
     PEL_UNROLL
     for (int k = 0; k < 3; k++)
-        out |= pel_lit_channel(sum, k, (surface >> (16 - 8 * k) & 255) << 8)
-               << (16 - 8 * k);
-    return out;
+        value[PEL_AT_COLOR + k] = (int32_t)((color >> 8 * k & 255) << 16);
+}
+
+pel_color pel_lit_color(const struct pel_mesh_lights *lights,
+                        const int32_t value[PEL_VALUES])
+{
+    struct pel_light_sum sum;
+    sum_of(lights, value, &sum);
+    return pel_light_color(&sum, value);
 }

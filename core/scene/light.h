@@ -74,19 +74,29 @@ struct pel_light_sum {
     pel_factor plain[3];   /* not multiplied */
 };
 
-/* Where light is computed: three values of a normal, of any length up to 2^30,
- * which is scaled to length 1 without a division; and three of a position, in
- * lighting units. */
-enum { PEL_AT_NORMAL = 0, PEL_AT_POSITION = 3, PEL_LIGHT_VALUES = 6 };
+/* The values that make a color: three of a normal, of any length up to 2^30,
+ * which is scaled to length 1 without a division; three of a position, in
+ * lighting units; and the blue, green and red of the surface, 2^-16 step. */
+enum {
+    PEL_AT_NORMAL = 0,
+    PEL_AT_POSITION = 3,
+    PEL_LIGHT_VALUES = 6,
+    PEL_AT_COLOR = PEL_LIGHT_VALUES,
+    PEL_VALUES = 9
+};
 
-void pel_mesh_lights_sum(const struct pel_mesh_lights *lights,
-                         const int32_t value[PEL_LIGHT_VALUES],
-                         struct pel_light_sum *sum);
+/* The color of such values, rounded to the nearest, without alpha; a surface
+ * below 0 counts as 0. */
+pel_color pel_lit_color(const struct pel_mesh_lights *lights,
+                        const int32_t value[PEL_VALUES]);
 
-/* Its steps, for those who need the directions too: to the normal, to the eye,
- * to the light. start sets the first two and the ambient light, and is false
- * where the normal is 0; towards sets the third; add adds the light.
- * pel_light_reflected: R.V, above 0, from all three and N.L. */
+/* Sets the last three to those of a color. */
+void pel_color_values(pel_color color, int32_t value[PEL_VALUES]);
+
+/* The steps of pel_lit_color, for those who need the directions too: to the
+ * normal, to the eye, to the light. start sets the first two and the ambient
+ * light, and is false where the normal is 0; towards sets the third; add adds
+ * the light. pel_light_reflected: R.V, above 0, from all three and N.L. */
 bool pel_light_start(const struct pel_mesh_lights *lights,
                      const int32_t value[PEL_LIGHT_VALUES],
                      pel_cosine towards[3][3], struct pel_light_sum *sum);
@@ -100,19 +110,22 @@ pel_cosine pel_light_reflected(pel_cosine towards[3][3], pel_cosine nl);
 /* v^n, n from 0 on, 0 <= v <= 1: too low by less than n 2^-30. */
 pel_cosine pel_cosine_power(pel_cosine v, int32_t n);
 
-/* A channel of the lit color, 0 red to 2 blue, 0..255, rounded to the nearest;
- * surface in 1/256 steps, 0..65,280. Both products stay below 65,280 2^15, and
- * their sum below 2^32. */
-static PEL_HOT uint32_t pel_lit_channel(const struct pel_light_sum *sum,
-                                        int channel, uint32_t surface)
+/* Both products stay below 65,280 2^15, and their sum below 2^32. */
+static inline pel_color pel_light_color(const struct pel_light_sum *sum,
+                                        const int32_t value[PEL_VALUES])
 {
-    uint32_t v = pel_share(surface, sum->surface[channel], 16) + 128;
-    if (sum->plain[channel])
-        v += pel_share(65280, sum->plain[channel], 16);
-    return v >> 8 < 255 ? v >> 8 : 255;
+    pel_color out = 0;
+    PEL_UNROLL
+    for (int k = 0; k < 3; k++) {
+        const int32_t own = (value[PEL_AT_COLOR + k] + 128) >> 8;
+        uint32_t v = pel_share(PEL_CAST(uint32_t, pel_max(own, 0)),
+                               sum->surface[2 - k], 16) +
+                     128;
+        if (sum->plain[2 - k])
+            v += pel_share(65280, sum->plain[2 - k], 16);
+        out |= (v >> 8 < 255 ? v >> 8 : 255) << 8 * k;
+    }
+    return out;
 }
-
-/* All three, with the alpha of `surface`. */
-pel_color pel_lit_color(const struct pel_light_sum *sum, pel_color surface);
 PEL_END_DECLS
 #endif

@@ -41,12 +41,11 @@ const struct pel_paint *pel_frame_modulate(
     struct pel_frame *frame, const struct pel_color_paint *surface,
     const pel_color color[3])
 {
-    struct pel_shaded *p = &frame->work->paint.shaded;
     if ((color[0] & color[1] & color[2]) == UINT32_C(0xFFFFFFFF))
         return &surface->paint;
-    p->surface = surface;
-    pel_color_paint_init(&p->base, pel_modulated_colors, frame->opaque);
-    pel_frame_gouraud(frame, color, &p->of.colors);
+    struct pel_shaded *p =
+        pel_shaded_start(frame, surface, pel_modulated_pixel, PEL_AT_COLOR);
+    pel_color_planes(frame, color, pel_value_plane);
     return &p->base.paint;
 }
 

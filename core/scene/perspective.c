@@ -63,29 +63,17 @@ static bool is_near(const struct pel_divided_triangle *d,
     return true;
 }
 
-/* The lower 32 bits of the colors' planes are what struct pel_gouraud has. */
-static void cut_colors(struct pel_shaded *p)
-{
-    for (int k = 0; k < 3; k++) {
-        p->of.colors.at[k] =
-            (uint32_t)p->of.plane[PEL_AT_COLOR + k].at + 0x800000u;
-        p->of.colors.dx[k] = (uint32_t)p->of.plane[PEL_AT_COLOR + k].dx;
-    }
-}
-
 /* Sets the values of pixels from x on and returns the pixels' number. */
 static int32_t set_values(struct pel_divided_triangle *d, int32_t x, int32_t y)
 {
     const uint8_t span = d->by.span;
-    struct pel_plane *line = &d->shaded->of.plane[d->first];
+    struct pel_plane *line = &d->shaded->plane[d->first];
     int32_t n = pel_divided_lines(&d->by, x, y, line);
     if (span > 0 && !is_near(d, line, x, y)) {
         d->by.span = 0;
         n = pel_divided_lines(&d->by, x, y, line);
         d->by.span = span;
     }
-    if (d->first == PEL_AT_COLOR)
-        cut_colors(d->shaded);
     return n;
 }
 
@@ -169,21 +157,12 @@ static const struct pel_paint *gouraud(struct pel_frame *frame,
                                        const pel_color color[3])
 {
     static const struct pel_color_paint none = PEL_COLOR_PAINT(white, true);
-    struct pel_shaded *p = &frame->work->paint.shaded;
     struct pel_divided_triangle *d = triangle_of(frame);
     if (!start(frame, range_of(color), PEL_AT_COLOR))
         return pel_frame_gouraud_paint(frame, surface, color);
     d->surface = surface ? surface : &none;
-    p->surface = &surface_there;
-    p->base.colors = pel_modulated_colors;
-    p->of.colors.at[3] = (color[0] >> 24 << 24) + 0x800000u;
-    p->of.colors.dx[3] = 0;
-    for (int k = 0; k < 3; k++) {
-        int32_t value[3];
-        for (int i = 0; i < 3; i++)
-            value[i] = (int32_t)(color[i] >> 8 * k & 255);
-        set_value(frame, PEL_AT_COLOR + k, value);
-    }
+    pel_shaded_start(frame, &surface_there, pel_modulated_pixel, PEL_AT_COLOR);
+    pel_color_planes(frame, color, set_value);
     return &d->base.paint;
 }
 
@@ -194,12 +173,10 @@ static const struct pel_paint *phong(struct pel_frame *frame,
     struct pel_divided_triangle *d = triangle_of(frame);
     if (!start(frame, CHANGE_OF_LIGHT, 0))
         return pel_phong_paint(frame, surface, color);
-    struct pel_shaded *p = pel_phong_start(frame, surface);
+    pel_shaded_start(frame, surface ? &surface_there : NULL, pel_lit_pixel, 0);
     d->surface = surface;
-    if (surface) {
-        p->surface = &surface_there;
+    if (surface)
         d->by.values = PEL_AT_COLOR;
-    }
     pel_phong_values(frame, color, set_value);
     return &d->base.paint;
 }

@@ -104,11 +104,15 @@ static enum taken take(const struct pel_frame *frame, uint32_t triangle,
     return !before ? BEHIND : cut ? CUT : WHOLE;
 }
 
-bool pel_box_meets(const struct pel_point at[3], const struct pel_rect *rect)
+/* Do three numbers, sub-pixels, have the centre of a pixel from `begin` to
+ * `end` between them? */
+static PEL_HOT bool meets(int32_t a, int32_t b, int32_t c, int32_t begin,
+                          int32_t end)
 {
-    const struct pel_rect box = pel_corners_box(at);
-    const struct pel_rect pixels = pel_rect_pixels(&box, rect);
-    return !pel_rect_empty(&pixels);
+    const int32_t low = pel_min(pel_min(a, b), c);
+    const int32_t high = pel_max(pel_max(a, b), c);
+    return pel_max(pel_first_pixel(low), begin) <
+           pel_min(pel_first_pixel(high), end);
 }
 
 /* Twice, and of either sign. */
@@ -124,7 +128,8 @@ static bool is_shown(const struct pel_frame *frame,
                      const struct pel_point at[3], const struct pel_rect *rect)
 {
     return pel_side_drawn(frame->scene->cull, area_of(at)) &&
-           pel_box_meets(at, rect);
+           meets(at[0].x, at[1].x, at[2].x, rect->x0, rect->x1) &&
+           meets(at[0].y, at[1].y, at[2].y, rect->y0, rect->y1);
 }
 
 static void list_triangles(struct pel_frame *frame)
@@ -308,7 +313,8 @@ void pel_scene_draw(struct pel_frame *frame, const struct pel_surface *surface)
     target->clip = pel_rect_intersect(&surface->clip, &frame->scene->viewport);
     if (pel_rect_empty(&target->clip))
         return;
-    const bool all = frame->order &&
+    /* A list of few bytes tests them again. */
+    const bool all = !PEL_SMALL_CODE && frame->order &&
                      pel_rect_inside(&frame->scene->viewport, &surface->clip);
     for (uint32_t i = 0; i < frame->triangles; i++)
         draw_entry(frame, frame->order ? frame->order[i].index : i, all);

@@ -12,7 +12,6 @@ PEL_BEGIN_DECLS
 enum pel_method {
     PEL_METHOD_FLAT,    /* one color */
     PEL_METHOD_GOURAUD, /* lit at the vertices */
-    PEL_METHOD_SPANS,   /* lit every 2 to 8 pixels of a row, linear between */
     PEL_METHOD_PHONG,   /* lit at every pixel */
     PEL_METHODS
 };

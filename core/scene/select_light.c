@@ -35,9 +35,10 @@ pel_color pel_light_note(const struct pel_frame *frame, uint32_t vertex,
 {
     const struct pel_mesh_lights *lights = &frame->lights;
     struct pel_light_sum sum;
-    int32_t value[PEL_LIGHT_VALUES];
+    int32_t value[PEL_VALUES];
     pel_cosine towards[3][3], along = PEL_COSINE_ONE, near = 0;
     pel_frame_values(frame, vertex, value);
+    pel_color_values(surface, value);
     if (pel_light_start(lights, value, towards, &sum)) {
         for (int32_t i = 0; i < lights->count; i++) {
             const struct pel_mesh_light *light = &lights->light[i];
@@ -53,7 +54,7 @@ pel_color pel_light_note(const struct pel_frame *frame, uint32_t vertex,
     pel_square_root((uint64_t)(PEL_COSINE_ONE - near) << 3, &chord);
     const uint32_t units = chord.root >> (16 - unit_bits(lights->lighting));
     const int h = pel_max(pel_bits_of((uint64_t)along) - 23, 0);
-    return (pel_lit_color(&sum, surface) & 0xFFFFFFu) |
+    return pel_light_color(&sum, value) |
            (uint32_t)pel_min((int32_t)units, UNITS) << 24 |
            (uint32_t)pel_min(h, 7) << 29;
 }
@@ -282,15 +283,4 @@ bool pel_light_bound(struct pel_frame *frame, const uint8_t note[3],
         b->plane = b->plane * ((uint32_t)own.most + 1) >> 8;
     b->plane += ((change + 1) * (uint32_t)own.range * 86 >> 16) + 2;
     return true;
-}
-
-/* Beyond n = 3/4 normals outside of the triangle may be too short. */
-uint64_t pel_light_span_bound(const struct pel_light_bounds *bounds,
-                              uint32_t part)
-{
-    const struct pel_light_bounds *b = bounds;
-    const uint64_t s = part;
-    const uint64_t lines =
-        (b->curve * (s * s >> 16) >> 16) + (b->kink * s >> 16);
-    return b->normal < 49152 ? lines + lines / 4 + 1 + b->tear : UINT64_MAX;
 }

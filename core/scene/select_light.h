@@ -20,12 +20,6 @@
  *     w^p     second at most q^2 K(w), K(w) =
  *             p w^(p-2) ((p - 1) (1 - w^2) + 7/6 w) <= 1.345 p
  *
- * Between two places of a row that are s < 1/4 of an edge apart, f is off by
- * M (E s)^2 / 8 from linear. Around the triangle n may be shorter than inside,
- * by a factor of 1 - n / 4 > 13/16 where n < 3/4, so that counts as 5/4 s^2
- * times the bound of the plane, and a kink as 5/4 s; directions turn by 1/4
- * times 5/4 more there, so |R - V| and N.L are looked at over 21/16 edges.
- *
  * K grows with w while p w^2 - 7/6 w <= p - 2, so the smallest angle between R
  * and V bounds it: |R - V| changes by at most q. max(N.L, 0) adds the error of
  * a kink between a > 0 and -b < 0: a b / (a + b) <= (n + l) / 4. */
@@ -70,9 +64,5 @@ struct pel_light_bounds {
 bool pel_light_bound(struct pel_frame *frame, const uint8_t note[3],
                      const pel_color color[3], struct pel_light_bounds *bounds);
 
-/* The bound on white of light that is linear between the ends of spans, which
- * are part / 65,536 of an edge, up to 1/4. */
-uint64_t pel_light_span_bound(const struct pel_light_bounds *bounds,
-                              uint32_t part);
 PEL_END_DECLS
 #endif

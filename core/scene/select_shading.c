@@ -8,10 +8,6 @@
  * right to 1/64; a texture's factors are rounded once more. */
 enum { GOURAUD_ERROR = 128 + 4, FACTOR_ERROR = 128 };
 
-/* The change of light in a pixel, of both terms, is cut to 2^-16: seven times
- * in a span. */
-enum { SPAN_ERROR = 16 };
-
 /* What a triangle's paint is chosen by. */
 struct choice {
     const struct pel_interpolation *between;
@@ -23,9 +19,10 @@ struct choice {
 static void note(struct pel_frame *frame, enum pel_method method,
                  uint64_t bound)
 {
-    frame->work->method = (uint8_t)method;
-    frame->work->bound = (uint32_t)(bound + (uint32_t)(frame->scene->tolerance -
-                                                       frame->tolerance));
+    frame->work->triangle.method = (uint8_t)method;
+    frame->work->triangle.bound =
+        (uint32_t)(bound +
+                   (uint32_t)(frame->scene->tolerance - frame->tolerance));
 }
 
 /* One color or Gouraud's; NULL where they are not good enough. Where light
@@ -52,43 +49,6 @@ static const struct pel_paint *try_vertices(struct pel_frame *frame,
     return c->between->gouraud(frame, c->surface, c->lit);
 }
 
-/* The part of an edge that a pixel to the right is, 2^-16: rounded up, by more
- * in triangles of few pixels. */
-static uint32_t edge_part(const struct pel_plane_setup *s)
-{
-    const int32_t most =
-        pel_max(pel_max(pel_magnitude(s->right[0]), pel_magnitude(s->right[1])),
-                pel_magnitude(s->right[2]));
-    return pel_divide((uint64_t)(uint32_t)most << 8,
-                      (uint32_t)(s->area >> 16)) +
-           1;
-}
-
-/* Light at the ends of the longest spans, up to 1/4 edge, that are good enough,
- * or at every pixel, as it is where values are divided. */
-static const struct pel_paint *light_pixels(struct pel_frame *frame,
-                                            const struct choice *c)
-{
-    struct pel_shaded *p = &frame->work->paint.shaded;
-    const struct pel_paint *paint =
-        c->between->phong(frame, c->surface, c->own);
-    const uint64_t room = (uint32_t)frame->tolerance - SPAN_ERROR;
-    const uint32_t part = edge_part(pel_frame_setup(frame));
-    note(frame, PEL_METHOD_PHONG, 0);
-    for (int bits = PEL_SHADE_SPAN_MOST; bits > 0; bits--) {
-        if (part >= 16384u >> bits)
-            continue;
-        const uint64_t bound = pel_light_span_bound(&c->bounds, part << bits);
-        if (bound > room || paint != &p->base.paint)
-            continue;
-        p->base.colors = pel_spans_colors;
-        p->span = (uint8_t)bits;
-        note(frame, PEL_METHOD_SPANS, bound + SPAN_ERROR);
-        break;
-    }
-    return paint;
-}
-
 /* Twice the area, 1/65,536 px, of two pixels: these take less than their bound
  * does. */
 enum { FEW_PIXELS = 2 * 2 * 65536 };
@@ -108,12 +68,12 @@ static const struct pel_paint *choose(struct pel_frame *frame,
         c.lit[i] = (color[i] & 0xFFFFFFu) | (uint32_t)frame->alpha << 24;
         c.own[i] = pel_frame_surface(frame, frame->work->triangle.vertex[i]);
     }
-    if (frame->tolerance >= SPAN_ERROR &&
-        pel_frame_setup(frame)->area >= FEW_PIXELS &&
+    if (frame->tolerance > 0 && pel_frame_setup(frame)->area >= FEW_PIXELS &&
         pel_light_bound(frame, notes, c.own, &c.bounds)) {
         paint = try_vertices(frame, &c);
-        return paint ? paint : light_pixels(frame, &c);
     }
+    if (paint)
+        return paint;
     note(frame, PEL_METHOD_PHONG, 0);
     return between->phong(frame, surface, c.own);
 }

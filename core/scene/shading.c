@@ -25,6 +25,37 @@ void pel_frame_plane(struct pel_frame *frame, const int32_t value[3],
     pel_plane_set(plane, pel_frame_setup(frame), t->is_whole ? value : corner);
 }
 
+struct pel_shaded *pel_shaded_start(struct pel_frame *frame,
+                                    const struct pel_color_paint *surface,
+                                    pel_pixel_function *pixel, int first)
+{
+    struct pel_shaded *p = &frame->work->paint.shaded;
+    pel_color_paint_init(&p->base, pel_shaded_colors, frame->opaque);
+    p->pixel = pixel;
+    p->first = (uint8_t)first;
+    p->end = surface && !first ? PEL_AT_COLOR : PEL_VALUES;
+    p->lights = &frame->lights;
+    p->surface = surface;
+    p->alpha = frame->alpha;
+    return p;
+}
+
+void pel_value_plane(struct pel_frame *frame, int k, const int32_t vertex[3])
+{
+    pel_frame_plane(frame, vertex, &frame->work->paint.shaded.plane[k]);
+}
+
+void pel_color_planes(struct pel_frame *frame, const pel_color color[3],
+                      pel_value_function *set)
+{
+    for (int k = 0; k < 3; k++) {
+        int32_t at[3];
+        for (int i = 0; i < 3; i++)
+            at[i] = (int32_t)(color[i] >> 8 * k & 255);
+        set(frame, PEL_AT_COLOR + k, at);
+    }
+}
+
 /* The lower 32 bits of a plane are what struct pel_gouraud has. Alpha is the
  * same at all vertices of a frame. */
 void pel_frame_gouraud(struct pel_frame *frame, const pel_color color[3],
@@ -113,8 +144,7 @@ static const struct pel_paint *facet_paint(
 {
     const struct pel_mesh *mesh = frame->scene->mesh;
     const uint32_t *vertex = frame->work->triangle.vertex;
-    struct pel_light_sum sum;
-    int32_t value[PEL_LIGHT_VALUES], *position = value + PEL_AT_POSITION;
+    int32_t value[PEL_VALUES], *position = value + PEL_AT_POSITION;
     int32_t corner[3][3];
     int64_t facet[3];
     for (int i = 0; i < 3; i++)
@@ -126,9 +156,10 @@ static const struct pel_paint *facet_paint(
                                  715827883, 31);
     pel_mesh_facet(mesh, vertex, facet);
     pel_normalize(facet, value + PEL_AT_NORMAL);
-    pel_mesh_lights_sum(&frame->lights, value, &sum);
+    pel_color_values(mean_of(color), value);
     return pel_frame_flat_paint(frame, surface,
-                                pel_lit_color(&sum, mean_of(color)));
+                                pel_lit_color(&frame->lights, value) |
+                                    (color[0] & UINT32_C(0xFF000000)));
 }
 
 const struct pel_shading pel_shade_lit_flat = {start_light, NULL, facet_paint,
@@ -153,11 +184,11 @@ void pel_frame_values(const struct pel_frame *frame, uint32_t vertex,
 pel_color pel_frame_light_vertex(const struct pel_frame *frame, uint32_t vertex,
                                  pel_color surface)
 {
-    struct pel_light_sum sum;
-    int32_t value[PEL_LIGHT_VALUES];
+    int32_t value[PEL_VALUES];
     pel_frame_values(frame, vertex, value);
-    pel_mesh_lights_sum(&frame->lights, value, &sum);
-    return pel_lit_color(&sum, surface);
+    pel_color_values(surface, value);
+    return pel_lit_color(&frame->lights, value) |
+           (surface & UINT32_C(0xFF000000));
 }
 
 const struct pel_shading pel_shade_lit_gouraud = {

@@ -28,10 +28,10 @@ static const struct pel_paint *counted_paint(
 {
     struct pel_stats *s = frame->scene->stats;
     s->inner = pel_shade_chosen.paint(frame, surface, color);
-    s->at = frame->work->method;
+    s->at = frame->work->triangle.method;
     s->method[s->at].triangles++;
-    if (frame->work->bound > s->bound)
-        s->bound = frame->work->bound;
+    if (frame->work->triangle.bound > s->bound)
+        s->bound = frame->work->triangle.bound;
     s->paint = (struct pel_color_paint){{fill, NULL}, colors, frame->opaque};
     return &s->paint.paint;
 }

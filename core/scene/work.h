@@ -3,6 +3,7 @@
 #ifndef PEL_SCENE_WORK_H
 #define PEL_SCENE_WORK_H
 
+#include "../raster/gouraud.h"
 #include "clip.h"
 #include "depth.h"
 #include "mapping.h"
@@ -20,6 +21,8 @@ struct pel_frame_vertex {
 struct pel_frame_triangle {
     bool is_whole; /* its corners are the vertices */
     bool is_set_up;
+    uint8_t method; /* where one is chosen (select.h) */
+    uint32_t bound; /* then of its error, 1/256 step */
     uint32_t vertex[3];
     pel_color color[3]; /* of the vertices, when it is drawn */
     struct pel_point at[3];
@@ -40,8 +43,6 @@ struct pel_frame_work {
     struct pel_perspective perspective;
     struct pel_depth_paint depth;
     struct pel_clip clip;
-    uint8_t method; /* of the triangle, where one is chosen (select.h) */
-    uint32_t bound; /* then of its error, 1/256 step */
 };
 
 /* Sets the part at hand: number i, 0 for a mesh without parts. Errors of
@@ -75,22 +76,27 @@ void pel_frame_gouraud(struct pel_frame *frame, const pel_color color[3],
  * first call. */
 pel_color pel_frame_color(const struct pel_frame *frame, uint32_t vertex);
 
-/* True when the box around three corners holds the centre of a pixel of the
- * rectangle: no other triangle covers any. */
-bool pel_box_meets(const struct pel_point at[3], const struct pel_rect *rect);
-
 /* Where a corner that clipping left of that triangle is on screen. A vertex
  * that is on screen keeps its sub-pixel, so that triangles around it meet
  * there. */
 struct pel_point pel_frame_corner_at(const struct pel_frame *frame,
                                      const struct pel_clip_corner *corner);
 
-/* The steps of pel_phong_paint: the paint without its planes; `set` for each of
- * its values, from those at the triangle's vertices. */
+/* Begins work->paint.shaded, all but its planes, for a function that takes the
+ * values from `first` on. */
+struct pel_shaded *pel_shaded_start(struct pel_frame *frame,
+                                    const struct pel_color_paint *surface,
+                                    pel_pixel_function *pixel, int first);
+
+/* Sets the plane of value k of it, from those at the triangle's vertices: this
+ * one to values that are linear on screen. */
 typedef void pel_value_function(struct pel_frame *frame, int k,
                                 const int32_t vertex[3]);
-struct pel_shaded *pel_phong_start(struct pel_frame *frame,
-                                   const struct pel_color_paint *surface);
+pel_value_function pel_value_plane;
+
+/* Call `set` for each of the colors, in steps, and for all values of light. */
+void pel_color_planes(struct pel_frame *frame, const pel_color color[3],
+                      pel_value_function *set);
 void pel_phong_values(struct pel_frame *frame, const pel_color color[3],
                       pel_value_function *set);
 

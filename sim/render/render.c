@@ -41,12 +41,12 @@ static const struct option_row options[] = {
      OPTION_FLAG, .offset = AT(timed)},
     {"stats", NULL,
      "for Phong: print the triangles and pixels that each method drew (flat, "
-     "gouraud, spans, phong; see --tolerance) on standard error; draws in one "
+     "gouraud, phong; see --tolerance) on standard error; draws in one "
      "thread",
      OPTION_FLAG, .offset = AT(scene.settings.stats)},
     {"show-methods", NULL,
      "for Phong: instead of the picture the method of each triangle: flat "
-     "grey, gouraud blue, spans green, phong red",
+     "grey, gouraud blue, phong red",
      OPTION_FLAG, .offset = AT(scene.settings.show_methods)},
     {"print-camera", NULL,
      "print an initialiser of struct pel_camera, for firmware that shows the "
@@ -231,8 +231,7 @@ static bool prepare(struct scene *scene, const struct scene_settings *settings,
 
 static void print_stats(const struct pel_stats *stats)
 {
-    static const char *const names[PEL_METHODS] = {"flat", "gouraud", "spans",
-                                                   "phong"};
+    static const char *const names[PEL_METHODS] = {"flat", "gouraud", "phong"};
     for (int i = 0; i < PEL_METHODS; i++)
         fprintf(stderr, "%-8s %9u triangles %10llu pixels\n", names[i],
                 (unsigned)stats->method[i].triangles,

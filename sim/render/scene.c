@@ -118,9 +118,9 @@ static const struct pel_paint *paint_method(
 {
     static const struct pel_flat paints[PEL_METHODS] = {
         PEL_FLAT(PEL_RGB(96, 96, 96)), PEL_FLAT(PEL_RGB(64, 128, 255)),
-        PEL_FLAT(PEL_RGB(64, 192, 64)), PEL_FLAT(PEL_RGB(224, 32, 32))};
+        PEL_FLAT(PEL_RGB(224, 32, 32))};
     pel_shade_chosen.paint(frame, surface, color);
-    return &paints[frame->work->method].paint;
+    return &paints[frame->work->triangle.method].paint;
 }
 
 static const struct pel_shading shade_methods = {

@@ -267,30 +267,3 @@ TEST(bounds_are_tight)
                   tight[0], tight[1]);
     assert_true(!is_whole_set() || (tight[0] > 0.5 && tight[1] > 0.5));
 }
-
-/* Light of a few 1/65,536 that ends within the triangle: black remains. */
-TEST(light_fades_to_black)
-{
-    static struct any_scene s;
-    static struct canvas exact, chosen;
-    struct pel_frame frame;
-    uint64_t spans = 0;
-    for (struct cases c = cases_of(100); cases_next(&c);) {
-        struct pel_stats stats = {.bound = 0};
-        patch(&c.random, &s);
-        s.light[0].at[0] = random_between(&c.random, -16, 16);
-        s.light[0].at[2] = 0;
-        s.light[0].at[1] = 1;
-        s.lighting.diffuse = random_between(&c.random, 1, 99);
-        s.lighting.specular = random_between(&c.random, 0, 99);
-        s.lighting.plain_highlights = random_word(&c.random) % 2;
-        s.scene.color = random_word(&c.random) % 2 ? UINT32_MAX : 0;
-        s.scene.stats = &stats;
-        s.scene.tolerance = 128;
-        any_scene_draw(&s, &pel_shade_phong, &frame, &exact);
-        any_scene_draw(&s, &pel_shade_counted, &frame, &chosen);
-        spans += stats.method[PEL_METHOD_SPANS].pixels;
-        assert_in_range(canvas_difference(&exact, &chosen), 0, 1);
-    }
-    assert_true(cases_alone() || spans > 0);
-}

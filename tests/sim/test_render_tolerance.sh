@@ -38,7 +38,7 @@ within "$work/floor.obj" --eye 0,1,0 --target 0,0.5,-3 --near 0.1 \
 
 # One triangle or pixel is counted once.
 $render builtin:vase --tolerance 2 --stats -o "$work/a.ppm" 2>"$work/stats"
-grep -qE '^spans +[1-9][0-9]* triangles +[1-9][0-9]* pixels$' "$work/stats" ||
+grep -qE '^gouraud +[1-9][0-9]* triangles +[1-9][0-9]* pixels$' "$work/stats" ||
     fail "stats: $(cat "$work/stats")"
 grep -qE 'largest bound: [0-2]\.[0-9]+ steps' "$work/stats" || fail "bound"
 $render builtin:vase --tolerance 2 -o "$work/b.ppm"
