@@ -84,15 +84,12 @@ static PEL_ALWAYS_INLINE void take_rows(struct rows *r,
                                         enum part part)
 {
     struct pel_span *span = r->span;
-    struct pel_smooth_row *row = r->row;
-    int32_t n = 1, most = 0;
+    int32_t n = 0, most = 0;
     r->step = runs->step;
-    set_row(row, span, runs, part);
-    const int32_t x = span->x0;
-    for (next_row(runs); runs->n > 0; next_row(runs)) {
-        set_row(++row, ++span, runs, part);
-        const int32_t pitch = pel_max(most, span[-1].x1 - span->x0);
-        if (n * pitch + span->x1 - x > COLORS)
+    for (; runs->n > 0; next_row(runs), span++) {
+        set_row(&r->row[n], span, runs, part);
+        const int32_t pitch = n ? pel_max(most, span[-1].x1 - span->x0) : 0;
+        if (n > 0 && n * pitch + span->x1 - r->span->x0 > COLORS)
             break;
         most = pitch;
         n++;
@@ -168,10 +165,11 @@ static PEL_NOINLINE_32 void put_rows(const struct pel_surface *target,
             put_row(target, row, r->colors + (from + row->x));
 }
 
-static PEL_ALWAYS_INLINE void paint_part(const struct pel_smooth *smooth,
-                                         struct pel_smooth_runs runs,
-                                         enum part part)
+static PEL_NOINLINE_32 void paint_part(const struct pel_smooth *smooth,
+                                       const struct pel_smooth_runs *all,
+                                       enum part part)
 {
+    struct pel_smooth_runs runs = *all;
     struct rows r;
     while (runs.n > 0) {
         take_rows(&r, &runs, part);
@@ -183,24 +181,6 @@ static PEL_ALWAYS_INLINE void paint_part(const struct pel_smooth *smooth,
     }
 }
 
-static PEL_NOINLINE_32 void paint_left(const struct pel_smooth *smooth,
-                                       const struct pel_smooth_runs *runs)
-{
-    paint_part(smooth, *runs, LEFT);
-}
-
-static PEL_NOINLINE_32 void paint_right(const struct pel_smooth *smooth,
-                                        const struct pel_smooth_runs *runs)
-{
-    paint_part(smooth, *runs, RIGHT);
-}
-
-static PEL_NOINLINE_32 void paint_all(const struct pel_smooth *smooth,
-                                      const struct pel_smooth_runs *runs)
-{
-    paint_part(smooth, *runs, ALL);
-}
-
 /* Weighs the full pixels with the others, where they are few: a paint of many
  * colors begins once, not three times. */
 static bool paint_narrow(const struct pel_smooth *smooth,
@@ -210,7 +190,7 @@ static bool paint_narrow(const struct pel_smooth *smooth,
         if ((uint32_t)(runs->x[i + 1] - runs->x[i]) > NARROW ||
             runs->count[i] + runs->count[i + 1] > COLORS - NARROW)
             return false;
-    paint_all(smooth, runs);
+    paint_part(smooth, runs, ALL);
     return true;
 }
 
@@ -237,8 +217,8 @@ static void paint_edges(const struct pel_smooth *smooth,
                         const struct pel_flat *flat)
 {
     if (!flat) {
-        paint_left(smooth, runs);
-        paint_right(smooth, runs);
+        paint_part(smooth, runs, LEFT);
+        paint_part(smooth, runs, RIGHT);
     } else if (pel_smooth_mixes(smooth->target)) {
         pel_smooth_mix(smooth->target, runs, flat->color);
     } else {

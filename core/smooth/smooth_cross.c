@@ -132,13 +132,3 @@ void pel_smooth_cross(struct pel_smooth_walk *k, int32_t n)
     if (!k->inside)
         pel_smooth_clip_batch(b, &k->smooth.target->clip);
 }
-
-void pel_smooth_cross_rows(struct pel_smooth_walk *k, int32_t y, int32_t n)
-{
-    const int32_t rows = pel_smooth_room(k), end = y + n;
-    k->y = y;
-    while (k->y < end) {
-        pel_smooth_cross(k, pel_min(end - k->y, rows));
-        pel_smooth_paint_batch(&k->smooth, &k->of.batch);
-    }
-}

@@ -69,9 +69,6 @@ int32_t pel_smooth_room(const struct pel_smooth_walk *k);
  * inside and the sides' first three members. */
 void pel_smooth_cross(struct pel_smooth_walk *k, int32_t n);
 
-/* Paints any number of them. */
-void pel_smooth_cross_rows(struct pel_smooth_walk *k, int32_t y, int32_t n);
-
 /* Moves on by a row that vertices lie in or a side crosses in many pixels. Of
  * what is left of it, if it is something, the other one makes a batch, bit by
  * bit. */

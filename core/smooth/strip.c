@@ -308,9 +308,10 @@ static PEL_NOINLINE void cover_arc(const struct pel_smooth_side *k, int32_t u,
 void pel_smooth_side_cover(const struct pel_smooth_side *k, uint8_t *to)
 {
     const struct pel_smooth_strip *const s = k->strip;
-    const uint32_t flip = k->left == k->rising ? 0 : ~UINT32_C(0);
+    const uint32_t flip = k->flip;
     const int32_t u = k->u;
-    to += k->left ? k->bytes - 1 : 0;
+    if (k->left)
+        to += k->bytes - 1;
     if (s->at_near - u > 65536) {
         if (s->bulge)
             cover_arc(k, u, flip, to);

@@ -119,7 +119,8 @@ struct pel_smooth_side {
     struct pel_span columns;
     int32_t u; /* the inner boundary of the first one from its axis */
     int32_t bytes;
-    bool left, rising;                   /* as of a crossing (outline.h) */
+    uint32_t flip;     /* all ones where what lies beyond the arc is covered */
+    bool left, rising; /* as of a crossing (outline.h) */
     const struct pel_smooth_side *image; /* its mirror image, whose bytes are
                                             its own backwards; or NULL */
     const uint8_t *at;                   /* its bytes */

@@ -55,6 +55,7 @@ static void place(struct pel_smooth_visitor *sides,
     k->columns = columns;
     k->left = c->left;
     k->rising = c->rising;
+    k->flip = c->left == c->rising ? 0 : ~UINT32_C(0);
 }
 
 /* Is side b the image of a, column by column? */
