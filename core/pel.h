@@ -8,7 +8,7 @@
  * at once when no two of them write the same bytes: as bands of one picture.
  * They may share paints, formats, fonts, pictures and meshes, which are only
  * read. What drawing changes is for one thread at a time: a struct pel_frame
- * with its scratch memory, pel_outline_filter, pel_dirty and pel_stats.
+ * with its scratch memory, pel_outline_filter and pel_dirty.
  * Functions may be called from interrupts too.
  *
  * Stability: until 1.0.0 a minor version may change the interface, and the
@@ -103,7 +103,6 @@
 #include "scene/perspective.h"
 #include "scene/pipeline.h"
 #include "scene/select.h"
-#include "scene/stats.h"
 #include "scene/work.h"
 
 #endif

@@ -6,6 +6,8 @@
 
 #include <pel/pel.h>
 
+#include "core/scene/work.h"
+
 #include "../timing.h"
 #include "../lighting.h"
 #include "cases.h"
@@ -99,19 +101,32 @@ static double error_of(const struct stage *s)
     return worst;
 }
 
+static uint32_t triangles[PEL_METHODS];
+
+static const struct pel_paint *counted_paint(
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    const pel_color color[3])
+{
+    const struct pel_paint *paint =
+        pel_shade_chosen.paint(frame, surface, color);
+    triangles[frame->work->triangle.method]++;
+    return paint;
+}
+
 static void put_shares(struct atlas *a, struct stage *s, double tolerance)
 {
     static const char *const names[PEL_METHODS] = {"flat", "gouraud", "phong"};
-    struct pel_stats stats = {0};
+    struct pel_shading counted = pel_shade_chosen;
     double all = 0;
-    s->scene.shading = &pel_shade_counted;
-    s->scene.stats = &stats;
+    counted.paint = counted_paint;
+    memset(triangles, 0, sizeof triangles);
+    s->scene.shading = &counted;
     draw(s);
     for (int i = 0; i < PEL_METHODS; i++)
-        all += stats.method[i].triangles;
+        all += triangles[i];
     for (int i = 0; i < PEL_METHODS; i++)
         atlas_put(a, figure_of(names[i], tolerance, "share",
-                               100 * stats.method[i].triangles / all, "%"));
+                               100 * triangles[i] / all, "%"));
 }
 
 /* The time of a picture, in percent of the exact one's, which is measured in

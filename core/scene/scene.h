@@ -11,7 +11,6 @@ PEL_BEGIN_DECLS
 struct pel_lighting;
 struct pel_mesh_texture;
 struct pel_shading;
-struct pel_stats;
 
 /* Sides of triangles that are not drawn; the front shows the vertices
  * counter-clockwise. */
@@ -69,7 +68,6 @@ struct pel_scene {
     int32_t tolerance;
     int32_t texel_tolerance; /* how far a place in a texture may be off, 1/256
                                 texel; `tolerance` is from the color there */
-    struct pel_stats *stats; /* stats.h; for pel_shade_counted */
 
     /* &pel_depth_sort or another one for painter's order, from the farthest to
      * the nearest, by the exact sum of the depths of three vertices. NULL: the

@@ -229,17 +229,6 @@ static bool prepare(struct scene *scene, const struct scene_settings *settings,
     return done;
 }
 
-static void print_stats(const struct pel_stats *stats)
-{
-    static const char *const names[PEL_METHODS] = {"flat", "gouraud", "phong"};
-    for (int i = 0; i < PEL_METHODS; i++)
-        fprintf(stderr, "%-8s %9u triangles %10llu pixels\n", names[i],
-                (unsigned)stats->method[i].triangles,
-                (unsigned long long)stats->method[i].pixels);
-    fprintf(stderr, "the largest bound: %.2f steps\n", stats->bound / 256.);
-    fprintf(stderr, "lights left out: %d\n", (int)stats->lights_left_out);
-}
-
 static bool print(const struct scene *scene)
 {
     struct output output;
@@ -267,7 +256,7 @@ static bool render_mesh(const struct render_options *o)
     const bool only = o->print_camera && !o->output && !o->device.name;
     const bool done = printed && (only || finish(&drawing));
     if (done && o->scene.settings.stats)
-        print_stats(&scene.stats);
+        scene_methods_print(&scene.methods);
     scene_free(&scene);
     model_free(&model);
     return done;

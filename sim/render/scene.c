@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/scene/select_light.h"
 #include "core/scene/perspective.h"
 #include "core/scene/work.h"
 #include "sim/cli/message.h"
@@ -111,21 +110,6 @@ static void set_parts(struct scene *scene, const struct scene_settings *s,
     scene->mesh.part = scene->part;
 }
 
-/* Every triangle in the color of its method. */
-static const struct pel_paint *paint_method(
-    struct pel_frame *frame, const struct pel_color_paint *surface,
-    const pel_color color[3])
-{
-    static const struct pel_flat paints[PEL_METHODS] = {
-        PEL_FLAT(PEL_RGB(96, 96, 96)), PEL_FLAT(PEL_RGB(64, 128, 255)),
-        PEL_FLAT(PEL_RGB(224, 32, 32))};
-    pel_shade_chosen.paint(frame, surface, color);
-    return &paints[frame->work->triangle.method].paint;
-}
-
-static const struct pel_shading shade_methods = {
-    pel_frame_start_chosen, pel_light_note, paint_method, 0};
-
 static void set_appearance(struct scene *scene, const struct scene_settings *s)
 {
     static const struct pel_shading *const shadings[][2][2] = {
@@ -144,12 +128,11 @@ static void set_appearance(struct scene *scene, const struct scene_settings *s)
     core->shading = shadings[s->shade][s->in_world][lit];
     if (s->shade == SCENE_PHONG &&
         (s->show_methods || s->stats || s->tolerance > 0))
-        core->shading = s->show_methods ? &shade_methods
-                        : s->stats      ? &pel_shade_counted
+        core->shading = s->show_methods ? &scene_shade_methods
+                        : s->stats      ? &scene_shade_counted
                         : s->in_world   ? &pel_perspective_chosen
                                         : &pel_shade_chosen;
-    scene->stats = (struct pel_stats){.bound = 0};
-    core->stats = &scene->stats;
+    scene->methods = (struct scene_methods){.bound = 0};
     core->tolerance = (int32_t)lround(s->tolerance * 256);
     core->texel_tolerance = (int32_t)lround(s->texel_tolerance * 256);
     core->cull = s->cull;

@@ -16,8 +16,8 @@
 #include "core/base/surface.h"
 #include "core/scene/camera.h"
 #include "core/scene/certificate.h"
-#include "core/scene/stats.h"
 #include "sim/mesh/model.h"
+#include "sim/render/scene_methods.h"
 
 /* Names of these settings for commands and scripts, in the order of their
  * numbers. */
@@ -161,7 +161,7 @@ struct scene {
     struct pel_light light[SCENE_LIGHTS_MAX];
     struct pel_mesh_texture *texture; /* malloc'ed, like the next two */
     struct pel_mesh_part *part;       /* the model's, in the settings' color */
-    struct pel_stats stats;
+    struct scene_methods methods;
     struct pel_frame frame;
     void *scratch;
     size_t scratch_size;

@@ -2,7 +2,6 @@
  * off by more than the tolerance, and bounds are not far above what happens. */
 #include "core/scene/select.h"
 #include "core/scene/select_light.h"
-#include "core/scene/stats.h"
 #include "tests/support/any_scene.h"
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
@@ -98,59 +97,6 @@ TEST(soups)
     for (int i = 0; i < 5 && is_whole_set(); i++)
         assert_true(worst[i] * 2 >= tolerances[i]);
     assert_true(!is_whole_set() || lights > 0);
-}
-
-static uint64_t covered_by_soup;
-
-static void count_spans(const struct pel_paint *paint,
-                        const struct pel_spans *spans)
-{
-    (void)paint;
-    for (int32_t i = 0; i < spans->n; i++)
-        if (spans->span[i].x0 < spans->span[i].x1)
-            covered_by_soup +=
-                (uint64_t)(spans->span[i].x1 - spans->span[i].x0);
-}
-
-static const struct pel_paint *count_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface,
-    const pel_color color[3])
-{
-    static const struct pel_paint counting = {count_spans, NULL};
-    (void)frame;
-    (void)surface;
-    (void)color;
-    return &counting;
-}
-
-/* Counting changes no pixel, and counts each. */
-TEST(stats)
-{
-    static const struct pel_shading counting = {NULL, NULL, count_paint, 0};
-    static struct any_scene s;
-    static struct canvas chosen, counted;
-    struct pel_frame frame;
-    for (struct cases c = cases_of(400); cases_next(&c);) {
-        struct pel_stats stats = {.bound = 0};
-        uint64_t pixels = 0;
-        any_scene(&c.random, &s, SIDE);
-        any_dress(&c.random, &s);
-        if (s.texture.mapping == &pel_map_perspective)
-            s.texture.mapping = &pel_map_chosen;
-        s.scene.tolerance = 16 * 256;
-        s.scene.stats = &stats;
-        any_scene_draw(&s, &pel_shade_chosen, &frame, &chosen);
-        const int32_t left_in = frame.lights.count;
-        any_scene_draw(&s, &pel_shade_counted, &frame, &counted);
-        assert_int_equal(canvas_difference(&chosen, &counted), 0);
-        covered_by_soup = 0;
-        any_scene_draw(&s, &counting, &frame, &counted);
-        for (int i = 0; i < PEL_METHODS; i++)
-            pixels += stats.method[i].pixels;
-        assert_int_equal(pixels, covered_by_soup);
-        assert_true(stats.bound <= 16 * 256);
-        assert_int_equal(stats.lights_left_out, s.lighting.lights - left_in);
-    }
 }
 
 /* Places in a texture, which its colors tell: a step a texel. */

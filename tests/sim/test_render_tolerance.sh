@@ -43,6 +43,13 @@ grep -qE '^gouraud +[1-9][0-9]* triangles +[1-9][0-9]* pixels$' "$work/stats" ||
 grep -qE 'largest bound: [0-2]\.[0-9]+ steps' "$work/stats" || fail "bound"
 $render builtin:vase --tolerance 2 -o "$work/b.ppm"
 cmp -s "$work/a.ppm" "$work/b.ppm" || fail "stats change the picture"
+$render "$work/floor.obj" --eye 0,1,0 --target 0,0.5,-3 --near 0.1 \
+    --light 1,2,-4:1,1,1 --tolerance 2 --background '#000000' --ambient 1,1,1 \
+    --stats -o "$work/a.ppm" 2>"$work/stats"
+tail -c +16 "$work/a.ppm" | od -An -v -tu1 -w3 |
+    awk '$1 + $2 + $3 > 0 { n++ } END { print n }' >"$work/drawn"
+awk '/pixels/ { n += $4 } END { print n }' "$work/stats" | cmp -s - "$work/drawn" ||
+    fail "not every pixel is counted once: $(cat "$work/drawn" "$work/stats")"
 $render builtin:vase --show-methods -o "$work/a.ppm"
 "$PEL" render builtin:vase --size 300x300 --shade flat --unlit \
     --texture none --color '#e02020' -o "$work/b.ppm"
