@@ -4,26 +4,11 @@
 #include "../path/transform.h"
 #include "outline_glyphs.h"
 
-/* A glyph at its place: what an outline source walks. */
-struct placed {
-    const struct pel_outline_font_asset *font;
-    const struct pel_outline_glyph *glyph;
-    struct pel_transform transform;
-    int32_t tolerance;
-};
-
-/* Points of a glyph on their way to curves. */
-struct points {
-    const uint8_t *at, *end;
-    uint32_t kind; /* enum pel_outline_point */
-    int16_t x, y;
-    int controls; /* that wait for the end of their curve */
-    const struct pel_transform *transform;
-    struct pel_curves curves;
-};
+typedef char pel_outline_drawing_fits
+    [sizeof(struct pel_outline_drawing) <= PEL_PENS_SIZE ? 1 : -1];
 
 /* How far a coordinate moves; sizes are those of the asset. */
-static int32_t take_move(struct points *p, uint32_t size)
+static int32_t take_move(struct pel_outline_points *p, uint32_t size)
 {
     if (size == 0 || p->end - p->at < (size == 3 ? 2 : 1))
         return 0;
@@ -32,7 +17,7 @@ static int32_t take_move(struct points *p, uint32_t size)
 }
 
 /* The coordinates are modulo 2^16. */
-static bool take_point(struct points *p)
+static bool take_point(struct pel_outline_points *p)
 {
     if (p->at == p->end)
         return false;
@@ -44,7 +29,7 @@ static bool take_point(struct points *p)
 }
 
 /* The curve whose controls wait ends in v[controls + 1]. */
-static enum pel_status end_curve(struct points *p)
+static enum pel_status end_curve(struct pel_outline_points *p)
 {
     const int n = p->controls;
     p->controls = 0;
@@ -52,7 +37,7 @@ static enum pel_status end_curve(struct points *p)
 }
 
 /* Where a part begins it closes the one before it. */
-static enum pel_status end_part(struct points *p)
+static enum pel_status end_part(struct pel_outline_points *p)
 {
     if (p->controls == 0)
         return PEL_OK;
@@ -61,7 +46,8 @@ static enum pel_status end_part(struct points *p)
 }
 
 /* A quadratic curve ends half-way between two controls, (x, y) and this one. */
-static enum pel_status end_half_way(struct points *p, int32_t x, int32_t y)
+static enum pel_status end_half_way(struct pel_outline_points *p, int32_t x,
+                                    int32_t y)
 {
     if (p->kind != PEL_OUTLINE_QUAD || p->controls == 0)
         return PEL_OK;
@@ -72,7 +58,8 @@ static enum pel_status end_half_way(struct points *p, int32_t x, int32_t y)
 }
 
 /* Behind (x, y). */
-static enum pel_status draw_point(struct points *p, int32_t x, int32_t y)
+static enum pel_status draw_point(struct pel_outline_points *p, int32_t x,
+                                  int32_t y)
 {
     struct pel_point v;
     if (!pel_transform_point(p->transform, p->x, p->y, &v))
@@ -91,23 +78,32 @@ static enum pel_status draw_point(struct points *p, int32_t x, int32_t y)
                                      : pel_curves_add(&p->curves, PEL_MOVE);
 }
 
+static void begin_points(const struct pel_outline_placed *g,
+                         struct pel_sides *sides)
+{
+    struct pel_outline_points *const p = g->points;
+    const uint8_t *const at = g->text->font->points + g->glyph->offset;
+    *p = (struct pel_outline_points){
+        .at = at,
+        .end = at + g->glyph->size,
+        .transform = &g->transform,
+        .curves = {.pen = &p->pen.pen, .tolerance = g->text->tolerance}};
+    pel_fill_pen_begin(&p->pen, sides);
+}
+
 static enum pel_status walk_glyph(const void *shape, struct pel_sides *sides)
 {
-    const struct placed *const g = shape;
-    const uint8_t *const at = g->font->points + g->glyph->offset;
-    struct pel_fill_pen pen;
-    struct points p = {.at = at,
-                       .end = at + g->glyph->size,
-                       .transform = &g->transform,
-                       .curves = {.pen = &pen.pen, .tolerance = g->tolerance}};
+    struct pel_outline_points *const p =
+        ((const struct pel_outline_placed *)shape)->points;
     enum pel_status status = PEL_OK;
-    int32_t x = 0, y = 0;
-    pel_fill_pen_begin(&pen, sides);
-    for (; status == PEL_OK && take_point(&p); x = p.x, y = p.y)
-        status = draw_point(&p, x, y);
+    begin_points(shape, sides);
+    for (int32_t x = 0, y = 0; status == PEL_OK && take_point(p);
+         x = p->x, y = p->y)
+        status = draw_point(p, x, y);
     if (status == PEL_OK)
-        status = end_part(&p);
-    return status == PEL_OK ? pen.pen.draw(&pen.pen, PEL_MOVE, NULL) : status;
+        status = end_part(p);
+    return status == PEL_OK ? p->pen.pen.draw(&p->pen.pen, PEL_MOVE, NULL)
+                            : status;
 }
 
 static uint32_t glyph_of(const struct pel_outline_font_asset *font,
@@ -136,16 +132,7 @@ static int32_t kerning(const struct pel_outline_font_asset *font, uint32_t left,
     return 0;
 }
 
-/* The pen on a line of text, in units of the font. */
-struct line {
-    const struct pel_outline_font_asset *font;
-    const char *next;
-    int32_t x, y;
-    uint32_t glyph; /* the last one, whose advance is still to come, or
-                       PEL_FONT_NONE */
-};
-
-static void advance(struct line *l)
+static void advance(struct pel_outline_line *l)
 {
     if (l->glyph != PEL_FONT_NONE)
         l->x += l->font->glyph[l->glyph].advance;
@@ -153,7 +140,7 @@ static void advance(struct line *l)
 
 /* Moves the pen to the next glyph of the line; false at its end, where the pen
  * has passed the last one. */
-static bool next_glyph(struct line *l)
+static bool next_glyph(struct pel_outline_line *l)
 {
     while (*l->next && *l->next != '\n') {
         const uint32_t glyph = glyph_of(l->font, pel_utf8_next(&l->next));
@@ -171,19 +158,14 @@ static bool next_glyph(struct line *l)
 int32_t pel_outline_text_width(const struct pel_outline_font_asset *font,
                                const char *string)
 {
-    struct line l = {font, string, 0, 0, PEL_FONT_NONE};
+    struct pel_outline_line l = {font, string, 0, 0, PEL_FONT_NONE};
     while (next_glyph(&l))
         ;
     return l.x;
 }
 
-/* What is done with each glyph: false ends the text. */
-struct visitor {
-    bool (*take)(struct visitor *visitor, struct placed *glyph);
-};
-
-static void begin_line(struct line *l,
-                       const struct pel_outline_text_block *text)
+static PEL_NOINLINE void begin_line(struct pel_outline_line *l,
+                                    const struct pel_outline_text_block *text)
 {
     const int32_t width = text->align == PEL_TEXT_LEFT
                               ? 0
@@ -192,71 +174,94 @@ static void begin_line(struct line *l,
     l->glyph = PEL_FONT_NONE;
 }
 
-static void visit(const struct pel_outline_text_block *text,
-                  struct visitor *visitor)
+static void begin_text(struct pel_outline_visitor *v,
+                       struct pel_outline_points *points,
+                       const struct pel_outline_text_block *text)
 {
-    const struct pel_outline_font_asset *const font = text->font;
-    struct line l = {.font = font, .next = text->string};
-    struct placed g = {.font = font,
-                       .transform = text->transform,
-                       .tolerance = text->tolerance};
-    for (;; l.next++, l.y -= font->ascent + font->descent) {
-        begin_line(&l, text);
-        while (next_glyph(&l)) {
-            g.glyph = &font->glyph[l.glyph];
-            if (g.glyph->size > 0 &&
-                pel_transform_point(&text->transform, l.x, l.y,
-                                    &g.transform.at) &&
-                !visitor->take(visitor, &g))
-                return;
-        }
-        if (!*l.next)
-            return;
+    v->line.font = text->font;
+    v->line.next = text->string;
+    v->line.y = 0;
+    v->placed.text = text;
+    v->placed.points = points;
+    v->placed.transform = text->transform;
+}
+
+/* Places the next glyph that has points; false: there is none on the line. */
+static bool place_next(struct pel_outline_visitor *v)
+{
+    struct pel_outline_placed *const g = &v->placed;
+    while (next_glyph(&v->line)) {
+        g->glyph = &v->line.font->glyph[v->line.glyph];
+        if (g->glyph->size > 0 &&
+            pel_transform_point(&g->text->transform, v->line.x, v->line.y,
+                                &g->transform.at))
+            return true;
+    }
+    return false;
+}
+
+/* After begin_text: until one says anything but PEL_OK. */
+static enum pel_status visit(struct pel_outline_visitor *v)
+{
+    enum pel_status status = PEL_OK;
+    for (;; v->line.next++,
+            v->line.y -= v->line.font->ascent + v->line.font->descent) {
+        begin_line(&v->line, v->placed.text);
+        while (status == PEL_OK && place_next(v))
+            status = v->take(v);
+        if (status != PEL_OK || !*v->line.next)
+            return status;
     }
 }
 
 /* The pixels of the font's box around a glyph, and one more on each side. */
-static struct pel_rect box_of(const struct placed *g)
+static struct pel_rect box_of(const struct pel_outline_placed *g)
 {
-    const struct pel_outline_font_asset *const f = g->font;
+    const struct pel_outline_font_asset *const f = g->text->font;
     const struct pel_rect units = {f->left, f->bottom, f->right, f->top};
     return pel_transform_box(&g->transform, units);
 }
 
-struct drawing {
-    struct visitor visitor;
-    struct pel_surface surface;
-    struct pel_rect clip;
-    const struct pel_outline_fill *fill;
-    enum pel_status status;
-};
-
-static bool draw_glyph(struct visitor *visitor, struct placed *g)
+static PEL_NOINLINE enum pel_status begin_glyph(struct pel_outline_drawing *d)
 {
-    struct drawing *const d = (struct drawing *)(void *)visitor;
-    const struct pel_outline_source source = {walk_glyph, g};
-    const struct pel_rect box = box_of(g);
-    d->surface.clip = pel_rect_intersect(&box, &d->clip);
-    if (!pel_rect_empty(&d->surface.clip))
-        d->status = d->fill->fill(&d->surface, &source, PEL_NON_ZERO,
-                                  d->fill->paint, &d->fill->scratch);
-    return d->status == PEL_OK;
+    const struct pel_rect box = box_of(&d->visitor.placed);
+    d->surface.clip = pel_rect_intersect(&box, &d->target->clip);
+    return d->fill.begin(&d->surface, PEL_NON_ZERO, d->fill.paint,
+                         &d->fill.scratch);
 }
 
-enum pel_status pel_outline_text_fill(const struct pel_surface *surface,
-                                      const struct pel_outline_text_block *text,
-                                      const struct pel_outline_fill *fill)
+static enum pel_status draw_glyph(struct pel_outline_visitor *v)
 {
-    struct drawing d = {.visitor = {draw_glyph}, .fill = fill};
-    if (!surface || !text || !text->font || !text->string || !fill->paint ||
-        !fill->scratch.memory)
+    struct pel_outline_drawing *const d =
+        (struct pel_outline_drawing *)(void *)v;
+    const enum pel_status status = begin_glyph(d);
+    return status == PEL_OK
+               ? pel_sides_draw(d->fill.scratch.memory, walk_glyph, &v->placed)
+               : status;
+}
+
+static enum pel_status begin_drawing(struct pel_outline_drawing *d,
+                                     const struct pel_surface *surface,
+                                     const struct pel_outline_text_block *text)
+{
+    if (!surface || !text || !text->font || !text->string || !d->fill.paint ||
+        !d->fill.scratch.memory)
         return PEL_ERROR_NULL;
     if (!pel_tolerance_legal(text->tolerance))
         return PEL_ERROR_RANGE;
-    d.surface = *surface;
-    d.clip = surface->clip;
-    visit(text, &d.visitor);
-    return d.status;
+    d->visitor.take = draw_glyph;
+    d->surface = *surface;
+    d->target = surface;
+    begin_text(&d->visitor, &d->points, text);
+    return PEL_OK;
+}
+
+enum pel_status pel_outline_text_draw(struct pel_outline_drawing *d,
+                                      const struct pel_surface *surface,
+                                      const struct pel_outline_text_block *text)
+{
+    const enum pel_status status = begin_drawing(d, surface, text);
+    return status == PEL_OK ? visit(&d->visitor) : status;
 }
 
 enum pel_status pel_outline_text(const struct pel_surface *surface,
@@ -264,35 +269,38 @@ enum pel_status pel_outline_text(const struct pel_surface *surface,
                                  const struct pel_paint *paint, void *scratch,
                                  size_t size)
 {
-    const struct pel_outline_fill fill = {
-        pel_sides_fill, paint, {scratch, size}};
-    return pel_outline_text_fill(surface, text, &fill);
+    struct pel_outline_drawing d;
+    d.fill =
+        (struct pel_outline_fill){pel_sides_begin_fill, paint, {scratch, size}};
+    return pel_outline_text_draw(&d, surface, text);
 }
 
 struct hit {
-    struct visitor visitor;
+    struct pel_outline_visitor visitor;
+    struct pel_outline_points points;
     int32_t x, y;
-    bool inside;
 };
 
-static bool hit_glyph(struct visitor *visitor, struct placed *g)
+/* An error where it is inside. */
+static enum pel_status hit_glyph(struct pel_outline_visitor *v)
 {
-    struct hit *const h = (struct hit *)(void *)visitor;
-    const struct pel_outline_source source = {walk_glyph, g};
-    const struct pel_rect box = box_of(g);
-    h->inside = h->x >= box.x0 && h->x < box.x1 && h->y >= box.y0 &&
-                h->y < box.y1 &&
-                pel_sides_hit(&source, PEL_NON_ZERO, h->x, h->y);
-    return !h->inside;
+    struct hit *const h = (struct hit *)(void *)v;
+    const struct pel_rect box = box_of(&v->placed);
+    return h->x >= box.x0 && h->x < box.x1 && h->y >= box.y0 && h->y < box.y1 &&
+                   pel_sides_hit(walk_glyph, &v->placed, PEL_NON_ZERO, h->x,
+                                 h->y)
+               ? PEL_ERROR_RANGE
+               : PEL_OK;
 }
 
 bool pel_hit_outline_text(const struct pel_outline_text_block *text, int32_t x,
                           int32_t y)
 {
-    struct hit h = {.visitor = {hit_glyph}, .x = x, .y = y};
-    if (pel_tolerance_legal(text->tolerance))
-        visit(text, &h.visitor);
-    return h.inside;
+    struct hit h = {.visitor = {.take = hit_glyph}, .x = x, .y = y};
+    if (!pel_tolerance_legal(text->tolerance))
+        return false;
+    begin_text(&h.visitor, &h.points, text);
+    return visit(&h.visitor) != PEL_OK;
 }
 
 /* An em is 256 units at least. */

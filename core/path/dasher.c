@@ -12,10 +12,10 @@ struct dasher {
     int32_t period, start_left, left; /* 1/8192 px: of all dashes and gaps; what
                                          is left of the present one where a part
                                          begins, and here */
-    int32_t start_index, index; /* of the present one; an even one is a dash */
-    struct pel_point start, at, cut; /* the latest end on a line, */
-    int32_t length, along;           /* whose length it is, and how far it is */
-    bool has_length;                 /* this part, up to here */
+    struct pel_point start, at, cut;  /* the latest end on a line, */
+    int32_t length, along;      /* whose length it is, and how far it is */
+    uint8_t start_index, index; /* of the present one; an even one is a dash */
+    bool has_length;            /* this part, up to here */
 };
 
 typedef char
@@ -43,7 +43,7 @@ static bool is_dash(const struct dasher *d)
 static void next(struct dasher *d)
 {
     const struct pel_dashes *const dashes = d->stroker.stroke->dashes;
-    d->index = d->index + 1 < index_count(dashes) ? d->index + 1 : 0;
+    d->index = (uint8_t)(d->index + 1 < index_count(dashes) ? d->index + 1 : 0);
     d->left = length_of(dashes, d->index);
 }
 
@@ -151,8 +151,7 @@ static enum pel_status draw(struct pel_pen *pen, enum pel_verb verb,
     return pass(d, PEL_MOVE, p);
 }
 
-static PEL_NOINLINE bool set_dashes(struct dasher *d,
-                                    const struct pel_dashes *dashes)
+static bool set_dashes(struct dasher *d, const struct pel_dashes *dashes)
 {
     const int32_t most = PEL_PX(32767);
     int32_t period = 0;
@@ -175,15 +174,15 @@ static PEL_NOINLINE bool set_dashes(struct dasher *d,
     return true;
 }
 
-static enum pel_status walk(const struct pel_lines *lines,
-                            struct pel_sides *sides)
+static enum pel_status begin(const struct pel_stroke *stroke,
+                             struct pel_sides *sides)
 {
     struct dasher *const d = sides->memory;
     const enum pel_status status =
-        pel_stroker_begin(&d->stroker, lines->stroke, sides);
+        pel_stroker_begin(&d->stroker, stroke, sides);
     if (status != PEL_OK)
         return status;
-    if (!lines->stroke->dashes->length)
+    if (!stroke->dashes->length)
         return PEL_ERROR_NULL;
     d->pen = (struct pel_pen){draw,
                               PEL_COORDINATE_MIN,
@@ -191,9 +190,7 @@ static enum pel_status walk(const struct pel_lines *lines,
                               d->stroker.pen.most,
                               sides,
                               d + 1};
-    return set_dashes(d, lines->stroke->dashes)
-               ? lines->walk(lines->shape, &d->pen)
-               : PEL_ERROR_RANGE;
+    return set_dashes(d, stroke->dashes) ? PEL_OK : PEL_ERROR_RANGE;
 }
 
-const struct pel_dash_kind pel_dashed = {walk};
+const struct pel_dash_kind pel_dashed = {begin};

@@ -33,7 +33,7 @@ enum pel_status pel_path_walk_sides(const void *shape, struct pel_sides *sides)
 }
 
 struct fill {
-    struct pel_sides sides;
+    struct pel_sides_painter painter;
     struct pel_sweep *sweep;
     const struct pel_surface *surface;
     const struct pel_paint *paint;
@@ -71,9 +71,10 @@ static bool paint_sweep(struct pel_sides *sides)
 static const struct pel_sides_kind fill_kind = {
     .begin = begin_sweep, .add = add_to_sweep, .paint = paint_sweep};
 
-static PEL_NOINLINE enum pel_status begin_fill(
-    const struct pel_surface *surface, enum pel_fill_rule rule,
-    const struct pel_paint *paint, const struct pel_scratch *scratch)
+enum pel_status pel_sides_begin_fill(const struct pel_surface *surface,
+                                     enum pel_fill_rule rule,
+                                     const struct pel_paint *paint,
+                                     const struct pel_scratch *scratch)
 {
     const size_t head = PEL_PATH_SCRATCH_SIZE(0);
     struct fill *const f = scratch->memory;
@@ -83,8 +84,9 @@ static PEL_NOINLINE enum pel_status begin_fill(
         return PEL_ERROR_SCRATCH;
     const size_t room =
         (scratch->size - head) / (PEL_PATH_SCRATCH_SIZE(1) - head);
-    f->sides.kind = &fill_kind;
-    f->sides.memory = &f->state;
+    f->painter.sides.kind = &fill_kind;
+    f->painter.sides.memory = &f->state;
+    pel_sides_set_clip(&f->painter, &surface->clip);
     f->surface = surface;
     f->paint = paint;
     f->sweep =
@@ -92,27 +94,19 @@ static PEL_NOINLINE enum pel_status begin_fill(
     return PEL_OK;
 }
 
-enum pel_status pel_sides_fill(const struct pel_surface *surface,
-                               const struct pel_outline_source *source,
-                               enum pel_fill_rule rule,
-                               const struct pel_paint *paint,
-                               const struct pel_scratch *scratch)
-{
-    const enum pel_status status = begin_fill(surface, rule, paint, scratch);
-    return status == PEL_OK
-               ? pel_sides_draw(scratch->memory, &surface->clip, source)
-               : status;
-}
-
 enum pel_status pel_path_fill(const struct pel_surface *surface,
                               const struct pel_path_shape *shape,
                               const struct pel_paint *paint, void *scratch,
                               size_t size)
 {
-    const struct pel_outline_source source = {pel_path_walk_sides, shape};
     const struct pel_scratch memory = {scratch, size};
-    return shape ? pel_sides_fill(surface, &source, shape->rule, paint, &memory)
-                 : PEL_ERROR_NULL;
+    if (!shape)
+        return PEL_ERROR_NULL;
+    const enum pel_status status =
+        pel_sides_begin_fill(surface, shape->rule, paint, &memory);
+    return status == PEL_OK
+               ? pel_sides_draw(scratch, pel_path_walk_sides, shape)
+               : status;
 }
 
 struct hit {
@@ -131,7 +125,7 @@ static void add_crossing(struct pel_sides *sides, int32_t x, int32_t y)
 
 static const struct pel_sides_kind hit_kind = {.add = add_crossing};
 
-bool pel_sides_hit(const struct pel_outline_source *source,
+bool pel_sides_hit(pel_outline_walk *walk, const void *shape,
                    enum pel_fill_rule rule, int32_t x, int32_t y)
 {
     struct pel_path_state state;
@@ -140,12 +134,11 @@ bool pel_sides_hit(const struct pel_outline_source *source,
         return false;
     h.center = (struct pel_point){pel_pixel_center(x), pel_pixel_center(y)};
     pel_sides_set_rows(&h.sides, y, y + 1);
-    return source->walk(source->shape, &h.sides) == PEL_OK &&
+    return walk(shape, &h.sides) == PEL_OK &&
            (rule == PEL_EVEN_ODD ? h.winding & 1 : h.winding != 0);
 }
 
 bool pel_hit_path_fill(const struct pel_path_shape *shape, int32_t x, int32_t y)
 {
-    const struct pel_outline_source source = {pel_path_walk_sides, shape};
-    return pel_sides_hit(&source, shape->rule, x, y);
+    return pel_sides_hit(pel_path_walk_sides, shape, shape->rule, x, y);
 }

@@ -232,5 +232,6 @@ enum pel_status pel_path_walk(const void *shape, struct pel_pen *pen)
         status = take_verb(w);
     if (status == PEL_OK && w->next < w->points)
         status = PEL_ERROR_FORMAT;
-    return status == PEL_OK ? pen->draw(pen, PEL_MOVE, NULL) : status;
+    return status == PEL_OK ? w->curves.pen->draw(w->curves.pen, PEL_MOVE, NULL)
+                            : status;
 }

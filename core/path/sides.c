@@ -1,23 +1,28 @@
 #include "sides.h"
 
-/* Tries half as many rows where there is no room, and goes on with twice as
- * many where there was room for them. During calls the rows are kept in s
- * alone, to spare stack. */
-enum pel_status pel_sides_draw(struct pel_sides *s, const struct pel_rect *clip,
-                               const struct pel_outline_source *source)
+/* The next rows: n from y on, inside the clip. */
+static PEL_NOINLINE void set_rows(struct pel_sides_painter *p, int32_t y,
+                                  int32_t n)
 {
-    int32_t y = clip->y0, end = clip->y1;
-    while (y < clip->y1 && clip->x0 < clip->x1) {
-        pel_sides_set_rows(s, y, pel_min(end, clip->y1));
+    pel_sides_set_rows(&p->sides, y, pel_min(y + n, p->clip->y1));
+}
+
+/* Tries half as many rows where there is no room, and goes on with twice as
+ * many where there was room for them. All is kept in p, to spare stack. */
+enum pel_status pel_sides_draw(struct pel_sides_painter *p,
+                               pel_outline_walk *walk, const void *shape)
+{
+    p->walk = walk;
+    p->shape = shape;
+    while (p->sides.y0 < p->sides.y1 && p->clip->x0 < p->clip->x1) {
+        struct pel_sides *const s = &p->sides;
         s->kind->begin(s);
-        const enum pel_status status = source->walk(source->shape, s);
+        const enum pel_status status = p->walk(p->shape, s);
         if (status == PEL_OK) {
             const int32_t times = s->kind->paint(s) ? 2 : 1;
-            y = s->y1;
-            end = y + (y - s->y0) * times;
+            set_rows(p, s->y1, (s->y1 - s->y0) * times);
         } else if (status == PEL_ERROR_SCRATCH && s->y1 - s->y0 > 1) {
-            y = s->y0;
-            end = y + (s->y1 - y) / 2;
+            set_rows(p, s->y0, (s->y1 - s->y0) / 2);
         } else {
             return status;
         }

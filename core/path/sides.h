@@ -39,8 +39,14 @@ enum {
 
 /* What makes them: walks all of an outline. PEL_ERROR_SCRATCH: there was no
  * room. */
-struct pel_outline_source {
-    enum pel_status (*walk)(const void *shape, struct pel_sides *sides);
+typedef enum pel_status pel_outline_walk(const void *shape,
+                                         struct pel_sides *sides);
+
+/* Sides that are painted some rows at a time. */
+struct pel_sides_painter {
+    struct pel_sides sides; /* the rows at hand */
+    const struct pel_rect *clip;
+    pel_outline_walk *walk;
     const void *shape;
 };
 
@@ -59,25 +65,34 @@ static inline void pel_sides_set_rows(struct pel_sides *s, int32_t y0,
     s->full = false;
 }
 
-/* Draws the source inside the clip: as many rows at a time as have room. */
-enum pel_status pel_sides_draw(struct pel_sides *sides,
-                               const struct pel_rect *clip,
-                               const struct pel_outline_source *source);
+/* With the rows of the clip. */
+static inline void pel_sides_set_clip(struct pel_sides_painter *p,
+                                      const struct pel_rect *clip)
+{
+    p->clip = clip;
+    pel_sides_set_rows(&p->sides, clip->y0, clip->y1);
+}
 
-/* The same with the aliased sweep, and with that of areas. */
-enum pel_status pel_sides_fill(const struct pel_surface *surface,
-                               const struct pel_outline_source *source,
-                               enum pel_fill_rule rule,
-                               const struct pel_paint *paint,
-                               const struct pel_scratch *scratch);
-enum pel_status pel_sides_smooth(const struct pel_surface *surface,
-                                 const struct pel_outline_source *source,
-                                 enum pel_fill_rule rule,
-                                 const struct pel_paint *paint,
-                                 const struct pel_scratch *scratch);
+/* Makes a painter at the head of the scratch memory, which takes sides by the
+ * aliased sweep, and by that of areas. The surface and the paint must live
+ * until it has drawn. */
+typedef enum pel_status pel_sides_begin(const struct pel_surface *surface,
+                                        enum pel_fill_rule rule,
+                                        const struct pel_paint *paint,
+                                        const struct pel_scratch *scratch);
+pel_sides_begin pel_sides_begin_fill, pel_sides_begin_smooth;
+
+/* The memory for pens in that of a smooth painter, PEL_PENS_SIZE bytes: the
+ * caller's where the walk has no pens there. */
+void *pel_sides_smooth_pens(void *scratch);
+
+/* Draws what the walk makes inside the clip: as many rows at a time as have
+ * room. */
+enum pel_status pel_sides_draw(struct pel_sides_painter *painter,
+                               pel_outline_walk *walk, const void *shape);
 
 /* Is the centre of pixel (x, y) inside? */
-bool pel_sides_hit(const struct pel_outline_source *source,
+bool pel_sides_hit(pel_outline_walk *walk, const void *shape,
                    enum pel_fill_rule rule, int32_t x, int32_t y);
 
 /* The source of the fill of a struct pel_path_shape. */

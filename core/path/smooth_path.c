@@ -3,13 +3,16 @@
 #include "../smooth/smooth_sweep.h"
 #include "stroker.h"
 
+/* The head of the scratch memory; behind it are pens. */
 struct smooth {
-    struct pel_sides sides;
+    struct pel_sides_painter painter;
     struct pel_smooth_sweep sweep;
+    struct pel_lines lines; /* of a stroke */
+    struct pel_point to;    /* where the latest side ends */
 };
 
 /* Before the edges, which are aligned to 8. */
-enum { HEAD = 148 * sizeof(void *) };
+enum { HEAD = PEL_SMOOTH_PATH_SCRATCH_SIZE(0, 0) - sizeof(int32_t) };
 
 typedef char pel_smooth_path_fits[sizeof(struct smooth) + PEL_PENS_SIZE <= HEAD
                                       ? 1
@@ -26,9 +29,10 @@ static void begin(struct pel_sides *sides)
 static void add(struct pel_sides *sides, int32_t x, int32_t y)
 {
     struct smooth *const s = (struct smooth *)(void *)sides;
-    const struct pel_point from = sides->at;
-    sides->at = (struct pel_point){x, y};
-    sides->full |= !pel_smooth_sweep_add(&s->sweep, &from, &sides->at);
+    s->to = (struct pel_point){x, y};
+    if (!pel_smooth_sweep_add(&s->sweep, &sides->at, &s->to))
+        sides->full = true;
+    sides->at = s->to;
 }
 
 static bool paint_sides(struct pel_sides *sides)
@@ -36,7 +40,7 @@ static bool paint_sides(struct pel_sides *sides)
     struct smooth *const s = (struct smooth *)(void *)sides;
     const int32_t count = s->sweep.count;
     pel_smooth_sweep_paint(&s->sweep);
-    return count <= s->sweep.room / 2;
+    return 2 * count <= s->sweep.room;
 }
 
 static const struct pel_sides_kind smooth_kind = {
@@ -53,11 +57,16 @@ static int32_t room_in(const struct pel_scratch *scratch, int32_t width)
     return room > 65536 ? 65536 : (int32_t)room;
 }
 
-enum pel_status pel_sides_smooth(const struct pel_surface *surface,
-                                 const struct pel_outline_source *source,
-                                 enum pel_fill_rule rule,
-                                 const struct pel_paint *p,
-                                 const struct pel_scratch *scratch)
+void *pel_sides_smooth_pens(void *scratch)
+{
+    return (struct smooth *)scratch + 1;
+}
+
+/* On a format that cannot be blended there are no rows to draw. */
+enum pel_status pel_sides_begin_smooth(const struct pel_surface *surface,
+                                       enum pel_fill_rule rule,
+                                       const struct pel_paint *p,
+                                       const struct pel_scratch *scratch)
 {
     if (!surface || !p || !scratch->memory)
         return PEL_ERROR_NULL;
@@ -66,14 +75,15 @@ enum pel_status pel_sides_smooth(const struct pel_surface *surface,
     struct smooth *const s = scratch->memory;
     if (room < 0)
         return PEL_ERROR_SCRATCH;
-    s->sides.kind = &smooth_kind;
-    s->sides.memory = s + 1;
-    s->sides.in_piece = false;
-    if (!pel_smooth_begin(&s->sweep.smooth, surface, p))
-        return PEL_OK;
-    pel_smooth_sweep_begin(&s->sweep, (char *)scratch->memory + HEAD, room,
-                           rule);
-    return pel_sides_draw(&s->sides, clip, source);
+    s->painter.sides.kind = &smooth_kind;
+    s->painter.sides.memory = pel_sides_smooth_pens(s);
+    s->painter.sides.in_piece = false;
+    pel_sides_set_clip(&s->painter, clip);
+    if (pel_smooth_begin(&s->sweep.smooth, surface, p))
+        pel_smooth_sweep_begin(&s->sweep, (char *)s + HEAD, room, rule);
+    else
+        s->painter.sides.y1 = INT32_MIN;
+    return PEL_OK;
 }
 
 enum pel_status pel_smooth_path_fill(const struct pel_surface *surface,
@@ -81,20 +91,27 @@ enum pel_status pel_smooth_path_fill(const struct pel_surface *surface,
                                      const struct pel_paint *paint,
                                      void *scratch, size_t size)
 {
-    const struct pel_outline_source source = {pel_path_walk_sides, shape};
     const struct pel_scratch memory = {scratch, size};
-    return shape
-               ? pel_sides_smooth(surface, &source, shape->rule, paint, &memory)
-               : PEL_ERROR_NULL;
+    if (!shape)
+        return PEL_ERROR_NULL;
+    const enum pel_status status =
+        pel_sides_begin_smooth(surface, shape->rule, paint, &memory);
+    return status == PEL_OK
+               ? pel_sides_draw(scratch, pel_path_walk_sides, shape)
+               : status;
 }
 
-static enum pel_status draw_stroke(const struct pel_surface *surface,
-                                   const struct pel_lines *lines,
-                                   const struct pel_paint *paint,
-                                   const struct pel_scratch *scratch)
+static PEL_ALWAYS_INLINE enum pel_status draw_stroke(
+    const struct pel_surface *surface, const struct pel_lines *lines,
+    const struct pel_paint *paint, const struct pel_scratch *scratch)
 {
-    const struct pel_outline_source source = {pel_stroke_walk, lines};
-    return pel_sides_smooth(surface, &source, PEL_NON_ZERO, paint, scratch);
+    struct smooth *const s = scratch->memory;
+    const enum pel_status status =
+        pel_sides_begin_smooth(surface, PEL_NON_ZERO, paint, scratch);
+    if (status != PEL_OK)
+        return status;
+    s->lines = *lines;
+    return pel_sides_draw(&s->painter, pel_stroke_walk, &s->lines);
 }
 
 enum pel_status pel_smooth_path_stroke(const struct pel_surface *surface,

@@ -83,17 +83,16 @@ static int32_t meet(int32_t v, int32_t half, int32_t k)
 
 /* To where the sides meet, if that is within the limit l: 1 / cos(turn / 2)
  * <= l, and 2 cos(turn / 2)^2 = 1 + cos(turn). */
-static void miter(struct pel_stroker *s, int32_t side,
-                  const struct pel_stroke_line *m,
-                  const struct pel_stroke_line *n)
+static PEL_NOINLINE_32 void miter(struct pel_stroker *s)
 {
+    const struct pel_stroke_line *const m = s->from, *const n = s->to;
     const int64_t cos =
         (pel_product(m->u.x, n->u.x) + pel_product(m->u.y, n->u.y)) >> 30;
     const int32_t k = (1 << 28) + (int32_t)cos;
     if (pel_product(s->limit * s->limit, k) < INT64_C(1) << 45)
         return;
-    pel_border_to(s, side * meet((m->u.y + n->u.y) / 2, s->half, k),
-                  -side * meet((m->u.x + n->u.x) / 2, s->half, k));
+    pel_border_to(s, s->side * meet((m->u.y + n->u.y) / 2, s->half, k),
+                  -s->side * meet((m->u.x + n->u.x) / 2, s->half, k));
 }
 
 void pel_border_beside(struct pel_stroker *s,
@@ -114,43 +113,48 @@ void pel_border_move(struct pel_stroker *s, const struct pel_stroke_line *line,
     sides->in_piece = sides->kind->end;
 }
 
-/* Back from beside line b to beside a, where the turn began: through the point,
- * or on the inner side, straight where both lines are so long that they cover
- * what lies between that and the point. */
-static PEL_NOINLINE_32 void turn_back(struct pel_stroker *s,
-                                      const struct pel_stroke_line *a,
-                                      const struct pel_stroke_line *b,
-                                      int32_t side)
+/* Back from where a turn ended to where it began: through the point, or on the
+ * inner side, straight where both lines are so long that they cover what lies
+ * between that and the point. */
+static PEL_NOINLINE_32 void turn_back(struct pel_stroker *s)
 {
     const bool pieces = s->pen.sides->kind->end;
     if (!pieces)
-        pel_border_move(s, b, -side);
-    if (pieces || !a->is_long || !b->is_long)
+        pel_border_move(s, s->to, -s->side);
+    if (pieces || !s->from->is_long || !s->to->is_long)
         pel_border_to(s, 0, 0);
     if (!pieces)
-        pel_border_beside(s, a, -side);
+        pel_border_beside(s, s->from, -s->side);
     pel_border_end(s);
 }
 
-/* The outer side, and back. */
-void pel_stroke_join(struct pel_stroker *s, const struct pel_stroke_line *n)
+/* False: it is not near the rows. */
+static PEL_NOINLINE_32 bool begin_turn(struct pel_stroker *s,
+                                       const struct pel_stroke_line *n)
 {
     const struct pel_stroke_line *const m = &s->last;
-    s->p = s->at;
-    if (s->p.y < s->pen.top || s->p.y > s->pen.bottom)
-        return;
     const bool right =
         pel_product(m->u.x, n->u.y) >= pel_product(m->u.y, n->u.x);
-    const struct pel_stroke_line *const a = right ? m : n;
-    const struct pel_stroke_line *const b = right ? n : m;
-    const int32_t side = right ? 1 : -1;
-    pel_border_move(s, a, side);
+    s->p = s->at;
+    s->from = right ? m : n;
+    s->to = right ? n : m;
+    s->side = right ? 1 : -1;
+    return s->p.y >= s->pen.top && s->p.y <= s->pen.bottom;
+}
+
+/* The outer side, and back. */
+void pel_stroke_join(struct pel_stroker *s, const struct pel_stroke_line *next)
+{
+    if (!begin_turn(s, next))
+        return;
+    pel_border_move(s, s->from, s->side);
     if (s->stroke->join == PEL_JOIN_ROUND)
-        arc(s, opposite(s, a->corner, !right), opposite(s, b->corner, !right));
+        arc(s, opposite(s, s->from->corner, s->side < 0),
+            opposite(s, s->to->corner, s->side < 0));
     else if (s->stroke->join == PEL_JOIN_MITER)
-        miter(s, side, m, n);
-    pel_border_beside(s, b, side);
-    turn_back(s, a, b, side);
+        miter(s);
+    pel_border_beside(s, s->to, s->side);
+    turn_back(s);
 }
 
 /* From one side of s->p around it to the other. */

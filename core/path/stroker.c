@@ -163,19 +163,19 @@ enum pel_status pel_stroker_begin(struct pel_stroker *s,
     return PEL_OK;
 }
 
-static enum pel_status walk_dashes(const struct pel_lines *lines,
-                                   struct pel_sides *sides)
+/* Makes the pen, that of the stroke or of dashes. */
+static enum pel_status begin(const struct pel_stroke *stroke,
+                             struct pel_sides *sides)
 {
-    const struct pel_dash_kind *const kind = lines->stroke->dashes->kind;
-    return kind ? kind->walk(lines, sides) : PEL_ERROR_NULL;
+    const struct pel_dashes *const dashes = stroke->dashes;
+    if (!dashes)
+        return pel_stroker_begin(sides->memory, stroke, sides);
+    return dashes->kind ? dashes->kind->begin(stroke, sides) : PEL_ERROR_NULL;
 }
 
 enum pel_status pel_stroke_walk(const void *shape, struct pel_sides *sides)
 {
     const struct pel_lines *const lines = shape;
-    struct pel_stroker *const s = sides->memory;
-    if (lines->stroke->dashes)
-        return walk_dashes(lines, sides);
-    const enum pel_status status = pel_stroker_begin(s, lines->stroke, sides);
-    return status == PEL_OK ? lines->walk(lines->shape, &s->pen) : status;
+    const enum pel_status status = begin(lines->stroke, sides);
+    return status == PEL_OK ? lines->walk(lines->shape, sides->memory) : status;
 }

@@ -18,6 +18,7 @@ struct pel_stroke_line {
 
 struct pel_stroker {
     struct pel_pen pen;
+    bool has_line, has_point; /* in this part of the path */
     const struct pel_stroke *stroke;
     int32_t half;  /* of the width, rounded down */
     int32_t reach; /* how far the border may be from a point */
@@ -29,10 +30,13 @@ struct pel_stroker {
     struct pel_point direction; /* of the line whose dashes are drawn: ends
                                    that are rounded would turn short ones; else
                                    0 */
-    struct pel_stroke_line first, last, line; /* of this part of the path, and
-                                                 the present one; first may be
-                                                 that of a dot */
-    bool has_line, has_point;                 /* in this part */
+    /* Of a turn: the lines beside which its outer side begins and ends, and 1
+     * where that is on the left of the stroke, else -1. */
+    const struct pel_stroke_line *from, *to;
+    int32_t side;
+    struct pel_stroke_line last, line, first; /* of this part of the path, the
+                                                 present one and the first,
+                                                 which may be that of a dot */
 };
 
 /* What a stroke goes along: walk lets a pen draw the lines of a shape. */
@@ -42,10 +46,11 @@ struct pel_lines {
     const struct pel_stroke *stroke;
 };
 
-/* What walks them with dashes. */
+/* What makes the pen of a stroke with dashes at the head of the sides' memory.
+ */
 struct pel_dash_kind {
-    enum pel_status (*walk)(const struct pel_lines *lines,
-                            struct pel_sides *sides);
+    enum pel_status (*begin)(const struct pel_stroke *stroke,
+                             struct pel_sides *sides);
 };
 
 /* Makes the sides of a stroke, with dashes or without; the source, whose shape

@@ -2,19 +2,22 @@
 
 #include "smooth_sweep.h"
 
-typedef char pel_smooth_polygon_fits[PEL_SMOOTH_POLYGON_SCRATCH_SIZE(1, 0) >=
-                                             sizeof(struct pel_smooth_edge) +
-                                                 sizeof(int32_t) + 4
-                                         ? 1
-                                         : -1];
+typedef char
+    pel_smooth_polygon_fits[PEL_SMOOTH_POLYGON_SCRATCH_SIZE(1, 0) >=
+                                        sizeof(struct pel_smooth_sweep) +
+                                            sizeof(struct pel_smooth_edge) +
+                                            sizeof(int32_t) + 4 &&
+                                    sizeof(struct pel_smooth_sweep) % 8 == 0
+                                ? 1
+                                : -1];
 
 size_t pel_smooth_polygon_scratch_size(int32_t n, int32_t width)
 {
-    const size_t row = width < 0 ? 0 : ((size_t)width + 1) * 4;
-    const size_t edge = PEL_SMOOTH_POLYGON_SCRATCH_SIZE(1, 0) - 4;
-    const size_t most = (size_t)-1;
+    const size_t head = PEL_SMOOTH_POLYGON_SCRATCH_SIZE(0, 0);
+    const size_t edge = PEL_SMOOTH_POLYGON_SCRATCH_SIZE(1, 0) - head;
+    const size_t most = (size_t)-1 - head;
     if (n < 1 || width < 0 || (size_t)width >= most / 4 ||
-        (size_t)n > (most - row) / edge)
+        (size_t)n > (most - (size_t)width * 4) / edge)
         return 0;
     return PEL_SMOOTH_POLYGON_SCRATCH_SIZE(n, width);
 }
@@ -63,12 +66,12 @@ enum pel_status pel_smooth_polygon(const struct pel_surface *surface,
     if (polygon->n < 3)
         return PEL_OK;
     const enum pel_status status = check(surface, polygon, scratch, size);
-    struct pel_smooth_sweep w;
-    if (status != PEL_OK || !pel_smooth_begin(&w.smooth, surface, paint) ||
+    struct pel_smooth_sweep *const w = scratch;
+    if (status != PEL_OK || !pel_smooth_begin(&w->smooth, surface, paint) ||
         pel_rect_empty(&surface->clip) || is_beside(&surface->clip, polygon))
         return status;
-    pel_smooth_sweep_begin(&w, scratch, polygon->n, polygon->rule);
-    add_edges(&w, polygon);
-    pel_smooth_sweep_paint(&w);
+    pel_smooth_sweep_begin(w, w + 1, polygon->n, polygon->rule);
+    add_edges(w, polygon);
+    pel_smooth_sweep_paint(w);
     return PEL_OK;
 }

@@ -11,8 +11,9 @@ PEL_BEGIN_DECLS
  * a surface whose clip is `width` px wide, for constant expressions; and the
  * same as a function: 0 when n < 1, width < 0, or when the size does not fit.
  */
-#define PEL_SMOOTH_POLYGON_SCRATCH_SIZE(n, width) \
-    (PEL_CAST(size_t, n) * 52 + (PEL_CAST(size_t, width) + 1) * 4)
+#define PEL_SMOOTH_POLYGON_SCRATCH_SIZE(n, width)                   \
+    (PEL_CAST(size_t, n) * 52 + (PEL_CAST(size_t, width) + 1) * 4 + \
+     24 * sizeof(void *))
 size_t pel_smooth_polygon_scratch_size(int32_t n, int32_t width);
 
 /* Paints every pixel by the part of it that is inside, by the rule of the

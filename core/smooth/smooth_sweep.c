@@ -211,13 +211,13 @@ static inline void set_ends(struct pel_smooth_edge *e, int32_t y)
 
 /* Sorts the edges of a row by where they are leftmost. Nothing depends on how
  * they were ordered. */
-static PEL_NOINLINE_32 void sort_row(struct pel_smooth_sweep *w, int32_t y)
+static PEL_NOINLINE_32 void sort_row(struct pel_smooth_sweep *w)
 {
     for (int32_t i = 0; i < w->active; i++) {
         const int32_t at = w->order[i];
         struct pel_smooth_edge *const e = &w->edge[at];
         int32_t k = i;
-        set_ends(e, y);
+        set_ends(e, w->row.y);
         for (; k > 0; k--) {
             const int32_t before = w->order[k - 1], x = w->edge[before].x0;
             if (x < e->x0 || (x == e->x0 && before < at))
@@ -249,11 +249,11 @@ static bool is_whole(const struct pel_smooth_edge *e)
 
 /* A group is cut on its own, unless a level line joins it to the one on its
  * left: then the winding number between both changes in the row. */
-void pel_smooth_add_row(struct pel_smooth_sweep *w, int32_t y)
+void pel_smooth_add_row(struct pel_smooth_sweep *w)
 {
     struct group g = {0, 0, 0, true};
     int32_t begin = 0, end;
-    sort_row(w, y);
+    sort_row(w);
     for (int32_t i = 0; i < w->active; i = end) {
         const struct pel_smooth_edge *const e = &w->edge[w->order[i]];
         end = group_end(w, i);

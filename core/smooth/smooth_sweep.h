@@ -7,8 +7,14 @@
 #include "smooth.h"
 #include "smooth_edge.h"
 
-/* The units of a row's height, 2^-16 px, in which it is cut. */
-enum { PEL_SMOOTH_ROW = 65536 };
+/* The units of a row's height, 2^-16 px, in which it is cut; and pixels that
+ * are painted at a time, beside full ones. */
+enum {
+    PEL_SMOOTH_ROW = 65536,
+    PEL_SMOOTH_SWEEP_PIXELS = PEL_64BIT        ? 64
+                              : PEL_SMALL_CODE ? 8
+                                               : 16
+};
 
 struct pel_smooth_edge {
     int64_t at; /* x at the top of the row, px 2^-32, even if it begins below */
@@ -20,8 +26,9 @@ struct pel_smooth_edge {
     uint16_t begin, end; /* of the present row, 256ths */
 };
 
-/* order[0, active) are the edges that touch the row, order[active, count) those
- * to come, by their top. */
+/* The head of scratch memory, as stacks are small: order[0, active) are the
+ * edges that touch the row, order[active, count) those to come, by their top.
+ */
 struct pel_smooth_sweep {
     struct pel_smooth smooth;
     struct pel_smooth_edge *edge;
@@ -34,12 +41,14 @@ struct pel_smooth_sweep {
     int32_t y0, y1;  /* rows that are drawn */
     int32_t lo, end; /* px that `sum` is not 0 in */
     int32_t area;    /* of the pixel up to which it has been taken */
+    struct pel_smooth_row row; /* pixels of it that are painted next */
+    uint8_t coverage[PEL_SMOOTH_SWEEP_PIXELS];
 };
 
-/* After pel_smooth_begin of w->smooth: in scratch memory for the edges and the
- * row that PEL_SMOOTH_POLYGON_SCRATCH_SIZE counts. Clears the sums; after a
- * sweep they are 0 again. The rows are those of the clip. */
-void pel_smooth_sweep_begin(struct pel_smooth_sweep *w, void *scratch,
+/* After pel_smooth_begin of w->smooth: with memory for the edges and the row,
+ * as PEL_SMOOTH_POLYGON_SCRATCH_SIZE counts it. Clears the sums; after a sweep
+ * they are 0 again. The rows are those of the clip. */
+void pel_smooth_sweep_begin(struct pel_smooth_sweep *w, void *edges,
                             int32_t room, enum pel_fill_rule rule);
 
 /* Adds the edge from a to b, of legal points, if it touches a row that is
@@ -51,7 +60,7 @@ bool pel_smooth_sweep_add(struct pel_smooth_sweep *w, const struct pel_point *a,
  * then. */
 void pel_smooth_sweep_paint(struct pel_smooth_sweep *w);
 
-/* Adds what is inside in row y, of the edges that touch it. */
-void pel_smooth_add_row(struct pel_smooth_sweep *w, int32_t y);
+/* Adds what is inside in the row at hand, of the edges that touch it. */
+void pel_smooth_add_row(struct pel_smooth_sweep *w);
 
 #endif

@@ -1,9 +1,6 @@
 /* The rows of a sweep: which edges cross them, and their pixels. */
 #include "smooth_sweep.h"
 
-/* Pixels that are painted at a time, beside full ones. */
-enum { PIXELS = PEL_64BIT ? 64 : PEL_SMALL_CODE ? 8 : 16 };
-
 /* False: it touches no row, or has no height. Edges right of the clip are kept:
  * they cut rows where they end and where they cross others, and so areas left
  * of them are rounded as without a clip. */
@@ -16,7 +13,8 @@ static bool is_seen(const struct pel_smooth_sweep *w, const struct pel_point *a,
 /* x at a row's top, `below` sub-pixels below the edge's: above it by up to 255,
  * or further down by less than the edge is high, so products are below 2^57.
  * Both ways give floor(step below / 256). */
-static int64_t x_in(const struct pel_point *a, int64_t step, int32_t below)
+static PEL_NOINLINE_32 int64_t x_in(const struct pel_point *a, int64_t step,
+                                    int32_t below)
 {
     const int64_t at = pel_smooth_wide(a->x);
     if (below < 0)
@@ -94,13 +92,13 @@ static int32_t end_of_run(const struct pel_smooth_sweep *w, int32_t x)
     return left < 0 ? clip->x1 : x + 1 + zeros(&w->sum[x - clip->x0 + 1], left);
 }
 
-/* Pixels from row->x on, up to the next empty ones or others behind full ones,
+/* Pixels from row.x on, up to the next empty ones or others behind full ones,
  * or as many as there is room for: where the next ones begin. */
-static PEL_NOINLINE_32 int32_t find_pixels(struct pel_smooth_sweep *w,
-                                           struct pel_smooth_row *row,
-                                           uint8_t *to)
+static PEL_NOINLINE_32 int32_t find_pixels(struct pel_smooth_sweep *w)
 {
+    enum { PIXELS = PEL_SMOOTH_SWEEP_PIXELS };
     const int32_t x0 = w->smooth.target->clip.x0;
+    struct pel_smooth_row *const row = &w->row;
     int32_t x = row->x;
     row->left = row->full = 0;
     while (has_more(w, x)) {
@@ -113,26 +111,22 @@ static PEL_NOINLINE_32 int32_t find_pixels(struct pel_smooth_sweep *w,
         if (coverage == 255)
             row->full += end - x;
         for (; coverage < 255 && x < end && row->left < PIXELS; x++)
-            to[row->left++] = (uint8_t)coverage;
+            w->coverage[row->left++] = (uint8_t)coverage;
         x = coverage < 255 ? x : end;
     }
     return x;
 }
 
-static PEL_NOINLINE_32 void paint_row(struct pel_smooth_sweep *w, int32_t y)
+static PEL_NOINLINE_32 void paint_row(struct pel_smooth_sweep *w)
 {
-    uint8_t coverage[PIXELS];
-    struct pel_smooth_row row;
-    int32_t next;
-    row.y = y;
-    row.right = 0;
-    row.coverage = coverage;
     w->area = 1 << 21;
-    for (row.x = w->lo; has_more(w, row.x); row.x = next) {
-        next = find_pixels(w, &row, coverage);
-        pel_smooth_paint(&w->smooth, &row);
+    w->row.x = w->lo;
+    while (has_more(w, w->row.x)) {
+        const int32_t next = find_pixels(w);
+        pel_smooth_paint(&w->smooth, &w->row);
+        w->row.x = next;
     }
-    w->sum[row.x - w->smooth.target->clip.x0] = 0;
+    w->sum[w->row.x - w->smooth.target->clip.x0] = 0;
 }
 
 /* Edges that begin above the row's end become active. */
@@ -165,15 +159,15 @@ static PEL_NOINLINE_32 void advance(struct pel_smooth_sweep *w, int32_t bottom)
         close_up(w, kept, i);
 }
 
-static void sweep_row(struct pel_smooth_sweep *w, int32_t y)
+static void sweep_row(struct pel_smooth_sweep *w)
 {
-    enter(w, PEL_PX(y) + 256);
+    enter(w, PEL_PX(w->row.y) + 256);
     w->lo = INT32_MAX;
     w->end = INT32_MIN;
-    pel_smooth_add_row(w, y);
+    pel_smooth_add_row(w);
     if (w->lo < w->end)
-        paint_row(w, y);
-    advance(w, PEL_PX(y) + 256);
+        paint_row(w);
+    advance(w, PEL_PX(w->row.y) + 256);
 }
 
 /* By their top: Shell sort, with gaps of 2^k - 1. */
@@ -202,9 +196,9 @@ static int32_t first_row(const struct pel_smooth_sweep *w)
 void pel_smooth_sweep_paint(struct pel_smooth_sweep *w)
 {
     sort(w);
-    int32_t y = w->count > 0 ? first_row(w) : w->y1;
-    for (; y < w->y1 && w->count > 0; y++)
-        sweep_row(w, y);
+    w->row.y = w->count > 0 ? first_row(w) : w->y1;
+    for (; w->row.y < w->y1 && w->count > 0; w->row.y++)
+        sweep_row(w);
     w->count = w->active = 0;
 }
 
@@ -214,10 +208,10 @@ static void clear(int32_t *sum, const struct pel_rect *clip)
         *sum++ = 0;
 }
 
-void pel_smooth_sweep_begin(struct pel_smooth_sweep *w, void *scratch,
+void pel_smooth_sweep_begin(struct pel_smooth_sweep *w, void *edges,
                             int32_t room, enum pel_fill_rule rule)
 {
-    w->edge = scratch;
+    w->edge = edges;
     w->order = (int32_t *)(void *)(w->edge + room);
     w->sum = w->order + room;
     w->count = w->active = 0;
@@ -225,5 +219,7 @@ void pel_smooth_sweep_begin(struct pel_smooth_sweep *w, void *scratch,
     w->mask = rule == PEL_EVEN_ODD ? 1 : -1;
     w->y0 = w->smooth.target->clip.y0;
     w->y1 = w->smooth.target->clip.y1;
+    w->row.right = 0;
+    w->row.coverage = w->coverage;
     clear(w->sum, &w->smooth.target->clip);
 }

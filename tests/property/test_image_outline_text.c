@@ -386,9 +386,9 @@ TEST(arguments_are_checked)
     assert_int_equal(pel_outline_text(s, &any.text, &ink.paint, NULL, 9),
                      PEL_ERROR_NULL);
     any.text.tolerance = 3;
-    assert_int_equal(
-        pel_smooth_outline_text(s, &any.text, &ink.paint, scratch, 9),
-        PEL_ERROR_RANGE);
+    assert_int_equal(pel_smooth_outline_text(s, &any.text, &ink.paint, scratch,
+                                             sizeof scratch),
+                     PEL_ERROR_RANGE);
     any.font.em = 255;
     assert_int_equal(pel_outline_font_asset_check(&any.font), PEL_ERROR_SIZE);
     any.font.em = 256;

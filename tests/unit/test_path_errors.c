@@ -196,3 +196,28 @@ TEST(memory_is_enough_or_refused)
         pel_path_fill(&window, &plain, &white.paint, scratch, fill - 1),
         PEL_ERROR_SCRATCH);
 }
+
+/* The state of smooth shapes lies there, and is not begun in less. */
+TEST(smooth_memory_is_enough_or_refused)
+{
+    static const struct pel_outline_font_asset font = {.em = 256};
+    const struct pel_outline_text_block text = {.font = &font, .string = ""};
+    const size_t fill = PEL_SMOOTH_PATH_SCRATCH_SIZE(2, SIDE),
+                 none = PEL_SMOOTH_PATH_SCRATCH_SIZE(0, 0);
+    const uint8_t *const bytes = (const uint8_t *)scratch;
+    open_window();
+    assert_int_equal(pel_smooth_outline_text(&window, &text, &white.paint,
+                                             scratch, none - 1),
+                     PEL_ERROR_SCRATCH);
+    for (size_t i = 0; i < sizeof scratch; i++)
+        assert_int_equal(bytes[i], 0x5A);
+    assert_int_equal(
+        pel_smooth_outline_text(&window, &text, &white.paint, scratch, none),
+        PEL_OK);
+    assert_int_equal(
+        pel_smooth_path_fill(&window, &plain, &white.paint, scratch, fill),
+        PEL_OK);
+    assert_int_equal(
+        pel_smooth_path_fill(&window, &plain, &white.paint, scratch, fill - 1),
+        PEL_ERROR_SCRATCH);
+}
