@@ -125,7 +125,7 @@ static inline bool is_steep(const struct pel_smooth_strip *s)
  * that is off by 1.6 %, and the middle of the strip for that of the piece by 5
  * %, where r is 40 px: together by .1 of 255. The factors are below 2^18 2^8,
  * 2^17 2^11, 2^14 2^8. */
-static uint32_t pixel_bulge(const struct pel_smooth_strip *s)
+uint32_t pel_smooth_pixel_bulge(const struct pel_smooth_strip *s)
 {
     const struct pel_smooth_circle *const c = s->circle;
     const bool steep = is_steep(s);
@@ -153,7 +153,7 @@ static uint32_t bulge_of(const struct pel_smooth_strip *s,
         return c->oval->bulge(c->oval, p);
     if (c->down == 0)
         return small_bulge(c, p);
-    return large_bulge(pixel_bulge(s),
+    return large_bulge(pel_smooth_pixel_bulge(s),
                        is_steep(s) ? p->v0 - p->v1 : p->u1 - p->u0);
 }
 
@@ -332,6 +332,6 @@ void pel_smooth_side_cover(const struct pel_smooth_side *k, uint8_t *to)
 
 void pel_smooth_strip_begin(struct pel_smooth_strip *s)
 {
-    s->bulge = is_large(s->circle) ? pixel_bulge(s) : 0;
+    s->bulge = is_large(s->circle) ? pel_smooth_pixel_bulge(s) : 0;
 }
 #endif

@@ -126,8 +126,11 @@ struct pel_smooth_side {
     const uint8_t *at;                   /* its bytes */
 };
 
-/* Sets the bulge of a piece of a large circle that goes along an axis for a
- * pixel, or 0. */
+/* The area between the arc of a circle from 40 px on and its chord, in a piece
+ * that goes along an axis for a pixel: 2^-24 px. */
+uint32_t pel_smooth_pixel_bulge(const struct pel_smooth_strip *strip);
+
+/* Sets bulge to that, or 0. */
 void pel_smooth_strip_begin(struct pel_smooth_strip *strip);
 
 /* Writes the coverage of all columns of a side. */

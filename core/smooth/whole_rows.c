@@ -12,8 +12,8 @@ enum { MOST = 4 };
  * circle have one strip. */
 struct sides {
     struct pel_smooth_visitor visitor; /* first */
-    const struct pel_rect *seen;
-    int32_t row; /* of what follows */
+    const struct pel_rect *seen;       /* or NULL: all of it */
+    int32_t row;                       /* of what follows */
     int32_t n, crossings;
     struct pel_smooth_side side[MOST];
     struct pel_smooth_crossing crossing[MOST];
@@ -116,7 +116,8 @@ static bool move_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
         struct pel_smooth_crossing *const c = &s->crossing[i];
         if (c->other < 0) {
             move_down(&c->strip, c->below);
-            pel_smooth_strip_begin(&c->strip);
+            if (c->strip.bulge)
+                c->strip.bulge = pel_smooth_pixel_bulge(&c->strip);
             continue;
         }
         if (!o->other(o, y, c->other, c) || !is_whole(c))
@@ -198,9 +199,10 @@ static inline bool find_columns(struct pel_smooth_side *k,
     k->u = (c.x0 * 256 - k->center) * 256;
     if (k->left)
         c = (struct pel_span){-c.x1, -c.x0};
-    const bool is_seen = c.x0 < seen->x1 && c.x1 > seen->x0;
     k->columns = c;
-    k->bytes = is_seen ? c.x1 - c.x0 : 0;
+    k->bytes = c.x1 - c.x0;
+    if (seen && (c.x0 >= seen->x1 || c.x1 <= seen->x0))
+        k->bytes = 0;
     return c.x0 >= x;
 }
 
@@ -232,12 +234,12 @@ static bool add_row(struct rows *r, struct sides *s)
         r->pair[0].batch.n--;
         return false;
     }
-    r->sides = s->n;
     return true;
 }
 
 /* Goes to row y. False: its sides are not whole. */
-static bool go_to(struct pel_smooth_outline *o, int32_t y, struct sides *s)
+static PEL_NOINLINE_32 bool go_to(struct pel_smooth_outline *o, int32_t y,
+                                  struct sides *s)
 {
     if (s->row == y)
         return true;
@@ -251,21 +253,34 @@ static bool go_to(struct pel_smooth_outline *o, int32_t y, struct sides *s)
     return true;
 }
 
+/* The same where row y - 1 has been. */
+static inline bool go_down(struct pel_smooth_outline *o, int32_t y,
+                           struct sides *s)
+{
+    if (y >= o->alike)
+        return go_to(o, y, s);
+    s->row = move_sides(o, y, s) ? y : INT32_MIN;
+    return s->row == y;
+}
+
 /* Makes batches of the rows from y on: returns their number. */
 static PEL_NOINLINE_32 int32_t find_rows(struct pel_smooth_outline *o,
                                          int32_t y, int32_t end,
                                          struct sides *s, struct rows *r)
 {
+    const int32_t last = pel_min(end - y, PEL_SMOOTH_BATCH_ROWS);
     int32_t n = 0;
     for (int i = 0; i < 2; i++) {
         r->pair[i].batch.y = y;
         r->pair[i].batch.n = 0;
         r->pair[i].to = r->pair[i].batch.coverage;
     }
-    r->sides = 0;
-    while (y + n < end && n < PEL_SMOOTH_BATCH_ROWS && go_to(o, y + n, s) &&
-           (n == 0 || s->n == r->sides) && add_row(r, s))
-        n++;
+    if (last <= 0 || !go_to(o, y, s))
+        return 0;
+    r->sides = s->n;
+    while (s->n == r->sides && add_row(r, s))
+        if (++n == last || !go_down(o, y + n, s))
+            break;
     return n;
 }
 
@@ -288,13 +303,14 @@ int32_t pel_smooth_whole_rows(struct pel_smooth_outline *o, int32_t y,
     struct sides s;
     int32_t rows = 0, n;
     s.visitor.visit = place;
-    s.seen = &o->seen;
+    s.seen = o->inside ? NULL : &o->seen;
     s.row = INT32_MIN;
-    while ((n = find_rows(o, y + rows, end, &s, &r)) > 0) {
-        for (int32_t i = 0; i < r.sides / 2; i++)
+    do {
+        n = find_rows(o, y + rows, end, &s, &r);
+        for (int32_t i = 0; n > 0 && i < r.sides / 2; i++)
             paint(o, &r.pair[i].batch);
         rows += n;
-    }
+    } while (n > 0 && s.row >= y);
     return rows;
 }
 
