@@ -27,7 +27,8 @@ static int32_t cut(uint64_t v, int32_t most)
     return n < -most ? -most : n > most ? most : (int32_t)n;
 }
 
-/* The place of a pixel, 0 to ONE, by the spread. */
+/* The place of a pixel, 0 to ONE, by the spread; -1 before the first stop, of
+ * which there may be more at 0. */
 static int32_t place_of(const struct pel_icon_paint *p, uint64_t u, uint64_t v)
 {
     const struct pel_icon_gradient *const g = p->gradient;
@@ -43,7 +44,7 @@ static int32_t place_of(const struct pel_icon_paint *p, uint64_t u, uint64_t v)
         t &= 2 * ONE - 1;
         return pel_min(t, 2 * ONE - t);
     }
-    return pel_max(0, pel_min(t, ONE));
+    return pel_max(-1, pel_min(t, ONE));
 }
 
 /* a and b by 256 - w and w, channel by channel, alpha too. */

@@ -34,8 +34,9 @@ static struct drawing random_drawing(struct random *r, bool opaque)
 {
     struct drawing d;
     const struct pel_rect bounds = shape_bounds(r, 40, 40);
+    const unsigned style = random_word(r) % CANVAS_STYLES;
     canvas_open(&whole, layouts[random_word(r) % LAYOUT_COUNT].format, &bounds,
-                random_word(r) % CANVAS_STYLES);
+                style);
     const uint32_t kind = random_word(r) % (ANY_KINDS + 2);
     const uint32_t what = random_word(r) % 8;
     d.what = kind >= ANY_KINDS ? GOURAUD

@@ -7,6 +7,7 @@
 #include "core/asset/icon_asset.h"
 #include "core/image/icon.h"
 #include "core/path/smooth_path.h"
+#include "core/path/transform.h"
 #include "tests/support/canvas.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
@@ -193,20 +194,17 @@ static double level_at(double t, int shift)
 }
 
 /* The place of a pixel on the way, and how many axes it is from the frame's
- * origin, at most. */
+ * origin, at most; of a frame whose points are rounded. */
 static double place_at(int32_t x, int32_t y, int *far)
 {
     const struct pel_icon_gradient *const g = &any.gradient;
-    const struct pel_transform *const m = &any.shape.transform;
-    double p[3][2];
-    for (int i = 0; i < 3; i++) {
-        const double u = g->frame[i].x, v = g->frame[i].y;
-        p[i][0] = (m->at.x + (m->xx * u + m->xy * v) / 65536) / 256;
-        p[i][1] = (m->at.y + (m->yx * u + m->yy * v) / 65536) / 256;
-    }
-    const double ax = p[1][0] - p[0][0], ay = p[1][1] - p[0][1];
-    const double bx = p[2][0] - p[0][0], by = p[2][1] - p[0][1];
-    const double qx = x + 0.5 - p[0][0], qy = y + 0.5 - p[0][1];
+    struct pel_point p[3];
+    for (int i = 0; i < 3; i++)
+        assert_true(pel_transform_point(&any.shape.transform, g->frame[i].x,
+                                        g->frame[i].y, &p[i]));
+    const double ax = p[1].x - p[0].x, ay = p[1].y - p[0].y;
+    const double bx = p[2].x - p[0].x, by = p[2].y - p[0].y;
+    const double qx = x * 256 + 128 - p[0].x, qy = y * 256 + 128 - p[0].y;
     const double area = ax * by - ay * bx;
     const double u = (qx * by - qy * bx) / area;
     const double v = (ax * qy - ay * qx) / area;
@@ -236,17 +234,17 @@ static void make_gradient(struct random *r)
         .radial = (uint8_t)(random_word(r) % 2),
         .spread = (uint8_t)(random_word(r) % 3),
         .stops = STOPS};
-    g->focus = (uint16_t)(g->radial ? random_between(r, 0, 60000) : 0);
+    g->focus = (uint16_t)(g->radial ? random_word(r) % 65536 : 0);
     const double turn = random_between(r, 0, 6283) / 1000.0;
     const double skew = turn + random_between(r, 800, 2300) / 1000.0;
-    const int32_t a = random_between(r, 500, 2000);
-    const int32_t b = random_between(r, 500, 2000);
+    const int32_t a = random_between(r, 30, 2000 >> random_word(r) % 6);
+    const int32_t b = random_between(r, 30, 2000 >> random_word(r) % 6);
     g->frame[1] = (struct pel_point){g->frame->x + (int32_t)(a * cos(turn)),
                                      g->frame->y + (int32_t)(a * sin(turn))};
     g->frame[2] = (struct pel_point){g->frame->x + (int32_t)(b * cos(skew)),
                                      g->frame->y + (int32_t)(b * sin(skew))};
     for (int i = 0; i < STOPS; i++) {
-        at += random_between(r, 200, 1300);
+        at += random_word(r) % 4 ? random_between(r, 0, 1300) : 0;
         any.stop[i] = (struct pel_icon_stop){(uint16_t)pel_min(at, 4096),
                                              random_word(r) | 0xFF000000};
     }
@@ -262,13 +260,15 @@ static bool is_edge(double t)
     return any.gradient.spread == PEL_ICON_REPEAT && fabs(t - round(t)) < 0.002;
 }
 
-/* Is it a level between those of places near t, or next to one? */
+/* Is it a level between those of places near t, or next to one? Stops may lie
+ * at one place. */
 static bool is_near(double level, double t, int far, int shift)
 {
     double low = 255, high = 0;
-    for (int i = -3 - far; i <= 3 + far; i++) {
-        low = fmin(low, level_at(t + i / 4096.0, shift));
-        high = fmax(high, level_at(t + i / 4096.0, shift));
+    for (int i = -3 - far; i <= 4 + far; i++) {
+        const double near = (floor(t * 4096) + i) / 4096;
+        low = fmin(low, level_at(near, shift));
+        high = fmax(high, level_at(near, shift));
     }
     return level >= low - 2 && level <= high + 2;
 }

@@ -14,15 +14,19 @@ enum { SIDE = 80 };
 static struct canvas drawn, expected;
 static uint8_t grey[SIDE * SIDE];
 
-/* One color in every other row: the other pixels are not painted. */
-static void odd_rows_fill(const struct pel_paint *paint,
-                          const struct pel_spans *spans)
+/* One color in every other pixel of every other row: the other pixels are not
+ * painted. */
+static void odd_pixels_fill(const struct pel_paint *paint,
+                            const struct pel_spans *spans)
 {
-    struct pel_spans row = *spans;
-    row.n = 1;
-    for (int32_t i = 0; i < spans->n; i++, row.span++, row.y += row.step)
-        if (row.y & 1 && row.span->x0 < row.span->x1)
-            pel_flat_fill(paint, &row);
+    struct pel_span pixel;
+    struct pel_spans one = {spans->surface, &pixel, spans->y, 1, 0};
+    for (int32_t i = 0; i < spans->n; i++, one.y += spans->step)
+        for (int32_t x = spans->span[i].x0; x < spans->span[i].x1; x++) {
+            pixel = (struct pel_span){x, x + 1};
+            if (x & one.y & 1)
+                pel_flat_fill(paint, &one);
+        }
 }
 
 static union any_paint made;
@@ -34,6 +38,9 @@ static void make_gradient(struct random *r)
     const struct pel_point from = {random_between(r, 0, 9999), PEL_PX(5)},
                            to = {PEL_PX(9), random_between(r, 0, 9999)};
     const struct pel_point below = {from.x, 19999 - to.y};
+    const struct pel_point left = {PEL_PX(-100.5), from.x & 127},
+                           right = {PEL_PX(155.5) + from.x % 2 * 1000,
+                                    left.y + 64 * (to.y % 3 - 1)};
     const struct pel_ramp mixed = {colors, 2, (enum pel_spread)(from.x % 3)};
     const struct pel_rings rings = {to, 256 + from.x, 77};
     switch (random_word(r) % 5) {
@@ -43,8 +50,8 @@ static void make_gradient(struct random *r)
     case 1:
         pel_conic_init(&made.conic, from, 9, &ramp);
         break;
-    case 2:
-        pel_linear_init(&made.linear, from, to, &mixed);
+    case 2: /* cells of a pixel, from centre to centre or a little more */
+        pel_linear_init(&made.linear, left, right, &mixed);
         break;
     case 3:
         pel_linear_init(&made.linear, from, below, &mixed);
@@ -87,7 +94,7 @@ static const struct pel_paint *make_paint(struct random *r, bool opaque)
         break;
     case 5:
         if (!opaque)
-            made.flat.paint.fill = odd_rows_fill;
+            made.flat.paint.fill = odd_pixels_fill;
         break;
     case 6:
         break;

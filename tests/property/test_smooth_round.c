@@ -110,7 +110,8 @@ static struct pel_rect random_window(struct random *r, const struct round *s)
         y = s->center.y + (int64_t)at * ray.y / 32768;
     }
     if (s->kind == LINE) {
-        const int32_t at = random_between(r, 0, 256) & (int32_t)random_word(r);
+        const int32_t most = random_between(r, 0, 256);
+        const int32_t at = most & (int32_t)random_word(r);
         x = s->center.x + ((int64_t)s->to.x - s->center.x) * at / 256 +
             (int64_t)s->radius * d.x / 65536;
         y = s->center.y + ((int64_t)s->to.y - s->center.y) * at / 256 +
@@ -136,8 +137,8 @@ static struct pel_rect random_window(struct random *r, const struct round *s)
 static int32_t random_size(struct random *r, int32_t radius)
 {
     const int32_t size = random_word(r) % 3 ? 2 * radius : random_radius(r);
-    return pel_min(size + random_between(r, 0, 3) * random_between(r, 0, 2000),
-                   PEL_PX(32700));
+    const int32_t times = random_between(r, 0, 3);
+    return pel_min(size + times * random_between(r, 0, 2000), PEL_PX(32700));
 }
 
 /* Angles of many or of few binary digits. */
@@ -148,21 +149,25 @@ static int32_t random_mask(struct random *r)
 
 static struct round random_round(struct random *r)
 {
-    struct round s = {DISC, {random_place(r), random_place(r)}, {0, 0}, 0, 0, 0,
-                      0};
+    struct round s = {DISC, {0, 0}, {0, 0}, 0, 0, 0, 0};
+    s.center.x = random_place(r);
+    s.center.y = random_place(r);
     s.kind = random_word(r) % KINDS;
     s.radius = random_radius(r);
     s.inner = s.kind == ELLIPSE    ? random_radius(r)
               : random_word(r) % 2 ? random_between(r, 0, s.radius)
                                    : pel_max(s.radius - random_radius(r), 0);
-    s.from = random_between(r, -70000, 70000) & random_mask(r);
+    s.from = random_between(r, -70000, 70000);
+    s.from &= random_mask(r);
     s.turn = random_between(r, 1, s.kind == ARC_ROUND ? 32768 : 65535);
     s.turn = pel_max(s.turn & random_mask(r), 1);
     s.to.x = s.center.x + random_size(r, s.radius);
     s.to.y = s.center.y + random_size(r, s.radius);
     if (s.kind == LINE) {
-        s.to.x = s.center.x + random_radius(r) - random_radius(r);
-        s.to.y = s.center.y + random_radius(r) - random_radius(r);
+        s.to.x = s.center.x + random_radius(r);
+        s.to.x -= random_radius(r);
+        s.to.y = s.center.y + random_radius(r);
+        s.to.y -= random_radius(r);
     }
     s.to.x = pel_max(s.to.x, -PEL_PX(32700));
     s.to.y = pel_max(s.to.y, -PEL_PX(32700));

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "core/pel.h"
-#include "core/smooth/smooth.h"
+#include "core/smooth/smooth_layer.h"
 #include "tests/support/check.h"
 
 enum { WIDTH = 600, LEFT = -280, ROWS = PEL_SMOOTH_BATCH_ROWS };
@@ -73,6 +73,20 @@ TEST(rows_are_what_they_are_alone)
         }
 }
 
+TEST(no_rows_paint_nothing)
+{
+    struct pel_smooth_batch b;
+    struct pel_smooth smooth;
+    struct pel_surface surface;
+    make_paint();
+    make_batch(&b, 0, 9);
+    b.n = 0;
+    begin(&smooth, &surface, expected);
+    begin(&smooth, &surface, drawn);
+    pel_smooth_paint_batch(&smooth, &b);
+    assert_memory_equal(drawn, expected, sizeof drawn);
+}
+
 /* Pixel by pixel. */
 static void draw_pixels(const struct pel_smooth *smooth,
                         const struct pel_smooth_row *row)
@@ -107,3 +121,33 @@ TEST(rows_are_their_pixels)
         assert_memory_equal(drawn, expected, sizeof drawn);
     }
 }
+
+#if !PEL_SMOOTH_TINY
+
+/* Pixel i has the first color k for which, in parts of a unit of 7,
+ * (7 error + remainder) + 7 step i - (7 cell + cell_remainder) k < 0. */
+TEST(a_walk_keeps_its_remainder)
+{
+    for (int32_t n = 1; n < 40; n++) {
+        pel_color row[41] = {0};
+        const struct pel_surface s = {
+            row, 160, {0, 0, 40, 1}, {0, 0, 40, 1}, &pel_smooth_colors};
+        const struct pel_walk walk = {
+            .mix = {.high = 0xFF000000, .low_change = 256},
+            .error = -4,
+            .remainder = 0,
+            .cell = 5,
+            .cell_remainder = n % 7,
+            .unit = 7,
+            .step = 4};
+        assert_true(pel_smooth_colors.channels->walk(&s, 0, 0, n, &walk));
+        for (int32_t i = 0, k = 0; i < n; i++) {
+            while (-28 + 28 * i - (35 + n % 7) * k >= 0)
+                k++;
+            assert_int_equal(row[i], PEL_RGB(0, 0, k));
+        }
+        assert_int_equal(row[n], 0);
+    }
+}
+
+#endif
