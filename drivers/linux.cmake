@@ -42,3 +42,16 @@ target_include_directories(pel_linux SYSTEM PUBLIC ${PEL_LINUX_INCLUDE})
 target_compile_options(pel_linux PUBLIC -pthread)
 target_link_libraries(pel_linux PUBLIC pel_drivers ${PEL_LINUX_LIBRARIES}
   -pthread)
+
+# Without any of these packages it is built for targets that link it.
+set(PEL_HAS_PACKAGE OFF)
+if(PEL_LINUX_LIBRARIES)
+  set(PEL_HAS_PACKAGE ON)
+endif()
+option(PEL_WITH_LINUX "build and install pel::linux with all"
+  ${PEL_HAS_PACKAGE})
+if(PEL_WITH_LINUX)
+  list(APPEND PEL_INSTALLED pel_linux)
+else()
+  set_target_properties(pel_linux PROPERTIES EXCLUDE_FROM_ALL ON)
+endif()

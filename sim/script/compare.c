@@ -98,7 +98,8 @@ static const char about[] =
     "Exit status: 0 equal, 1 different, 2 error. Prints the sizes when they "
     "differ, else the number of differing pixels, the worst difference, and "
     "the first such pixel. Alpha counts like a colour; the colours of clear "
-    "pixels do not.\n\nThe smallest script whose bands are not as the "
+    "pixels and comments in a file do not: with those, equal .ppm pictures "
+    "may differ for cmp.\n\nThe smallest script whose bands are not as the "
     "whole:\n  pel compare --shrink BAD.pel --command 'pel run $1 -o a.ppm\n"
     "  pel run $1 --bands 8 -o b.ppm; pel compare a.ppm b.ppm'";
 

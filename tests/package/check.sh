@@ -73,6 +73,10 @@ run cmake_subdirectory cmake --install b --prefix "$work/usr"
 run cmake_installed cmake -B b -D CMAKE_PREFIX_PATH="$work/usr"
 run cmake_installed cmake --build b
 draws "$work/cmake_installed/b"
+cmake -S . -B "$work/bare" -D CMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON \
+    >"$work/log" 2>&1 || fail "CMake without packages"
+grep -q '^all:.*pel_linux' "$work/bare/CMakeFiles/Makefile2" &&
+    fail "CMake builds pel_linux where no package of it is"
 
 # ESP-IDF; Zephyr, with a library of its own name
 run cmake_idf cmake -P requirements.cmake
