@@ -26,12 +26,23 @@ static void begin(struct pel_sides *sides)
     s->sweep.y1 = sides->y1;
 }
 
+/* Makes room: the lower half of the rows is drawn later. False: there is one
+ * alone. */
+static PEL_NOINLINE_32 bool halve(struct smooth *s)
+{
+    struct pel_sides *const sides = &s->painter.sides;
+    const int32_t half = (sides->y1 - sides->y0) / 2;
+    pel_sides_set_rows(sides, sides->y0, sides->y1 - half);
+    pel_smooth_sweep_cut(&s->sweep, sides->y1);
+    return half > 0;
+}
+
 static void add(struct pel_sides *sides, int32_t x, int32_t y)
 {
     struct smooth *const s = (struct smooth *)(void *)sides;
     s->to = (struct pel_point){x, y};
-    if (!pel_smooth_sweep_add(&s->sweep, &sides->at, &s->to))
-        sides->full = true;
+    while (!sides->full && !pel_smooth_sweep_add(&s->sweep, &sides->at, &s->to))
+        sides->full = !halve(s);
     sides->at = s->to;
 }
 

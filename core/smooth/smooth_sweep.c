@@ -26,6 +26,8 @@ static inline int32_t end_of(const struct pel_smooth_edge *e)
  */
 static uint64_t way_of(int64_t step, int32_t t)
 {
+    if (t == 0)
+        return 0;
     if (t == PEL_SMOOTH_ROW)
         return (uint64_t)step << 16;
     if ((step + INT64_C(0x80000000)) >> 32)
@@ -40,7 +42,7 @@ static int32_t x_at(const struct pel_smooth_edge *e, int32_t t)
 {
     const uint64_t way = way_of(e->step >> 16, t);
     const int64_t x = (e->at + (int64_t)way) >> 16;
-    return x < INT32_MIN ? INT32_MIN : x > INT32_MAX ? INT32_MAX : (int32_t)x;
+    return x == (int32_t)x ? (int32_t)x : x < 0 ? INT32_MIN : INT32_MAX;
 }
 
 /* By x at the top of a part, where those that lie SAME px apart or less count
@@ -59,33 +61,43 @@ static int32_t next_end(const struct pel_smooth_sweep *w, int32_t t)
     int32_t end = PEL_SMOOTH_ROW;
     for (int32_t i = 0; i < w->active; i++) {
         const struct pel_smooth_edge *const e = &w->edge[w->order[i]];
-        if (begin_of(e) > t)
-            end = pel_min(end, begin_of(e));
-        else if (end_of(e) > t)
-            end = pel_min(end, end_of(e));
+        const int32_t begin = begin_of(e), cut = begin > t ? begin : end_of(e);
+        if (cut > t && cut < end)
+            end = cut;
     }
     return end;
 }
 
-/* Sorts those that cross the part from t to `end` by x: how many; the others
- * come behind them. */
+/* Sorts those that cross the part from t to `end` by x: how many. Behind them
+ * are those that begin below it, behind w->active those that ended above. Where
+ * one begins in the row and ends is known. */
 static int32_t sort_part(struct pel_smooth_sweep *w, int32_t t, int32_t end)
 {
-    int32_t live = 0;
-    for (int32_t i = 0; i < w->active; i++) {
-        const int32_t at = w->order[i];
-        struct pel_smooth_edge *const e = &w->edge[at];
-        int32_t k = live;
-        if (begin_of(e) > t || end_of(e) < end)
+    struct pel_smooth_edge *const edge = w->edge;
+    int32_t *const order = w->order;
+    int32_t live = 0, left = w->active;
+    for (int32_t i = 0; i < left;) {
+        const int32_t at = order[i];
+        struct pel_smooth_edge *const e = &edge[at];
+        if (end_of(e) <= t) {
+            order[i] = order[--left];
+            order[left] = at;
             continue;
-        e->x0 = begin_of(e) < t ? e->x1
-                                : x_at(e, t); /* where the part above ended */
-        e->x1 = x_at(e, end);
-        w->order[i] = w->order[live++];
-        for (; k > 0 && is_before(e, &w->edge[w->order[k - 1]]); k--)
-            w->order[k] = w->order[k - 1];
-        w->order[k] = at;
+        }
+        if (begin_of(e) <= t) {
+            int32_t k = live++;
+            if (begin_of(e) < t)
+                e->x0 = e->x1; /* where the part above ended */
+            if (begin_of(e) < t || end_of(e) > end)
+                e->x1 = x_at(e, end);
+            order[i] = order[k];
+            for (; k > 0 && is_before(e, &edge[order[k - 1]]); k--)
+                order[k] = order[k - 1];
+            order[k] = at;
+        }
+        i++;
     }
+    w->active = left;
     return live;
 }
 
@@ -107,6 +119,14 @@ static int32_t first_crossing(const struct pel_smooth_sweep *w, int32_t live,
     return pel_max(first, t + 1);
 }
 
+/* floor(v h / 512); v <= 2^17, h <= 2^16: one bit more than 32. */
+static inline uint32_t product_of(uint32_t v, uint32_t h)
+{
+    if (h == PEL_SMOOTH_ROW)
+        return v << 7;
+    return ((v >> 1) * h + ((v & 1) * h >> 1)) >> 8;
+}
+
 /* The area right of a piece of an edge, in pixel x; h in 2^-16. */
 static uint32_t area_at(const struct pel_smooth_edge *e, int32_t x, uint32_t h)
 {
@@ -114,7 +134,7 @@ static uint32_t area_at(const struct pel_smooth_edge *e, int32_t x, uint32_t h)
     const int32_t a = lo >> 16, b = hi >> 16;
     const uint32_t low = (uint32_t)lo & 0xFFFF, high = (uint32_t)hi & 0xFFFF;
     if (a == b)
-        return (uint32_t)(pel_multiply(131072 - low - high, h) >> 9) * 255;
+        return product_of(131072 - low - high, h) * 255;
     if (x == a)
         return pel_smooth_corner(&e->rise, 65536 - low);
     if (x == b)
@@ -198,15 +218,18 @@ static PEL_NOINLINE_32 void add_group(struct pel_smooth_sweep *w,
     w->active = active;
 }
 
-/* Sets what part of a row an edge crosses, where it is leftmost, and where it
- * is rightmost. */
+/* Sets what part of a row an edge crosses, and x where it begins and ends. */
 static inline void set_ends(struct pel_smooth_edge *e, int32_t y)
 {
     e->begin = in_row(e->top, y);
     e->end = in_row(e->bottom, y);
-    const int32_t a = x_at(e, begin_of(e)), b = x_at(e, end_of(e));
-    e->x0 = pel_min(a, b);
-    e->x1 = pel_max(a, b);
+    e->x0 = x_at(e, begin_of(e));
+    e->x1 = x_at(e, end_of(e));
+}
+
+static inline int32_t left_of(const struct pel_smooth_edge *e)
+{
+    return pel_min(e->x0, e->x1);
 }
 
 /* Sorts the edges of a row by where they are leftmost. Nothing depends on how
@@ -218,9 +241,11 @@ static PEL_NOINLINE_32 void sort_row(struct pel_smooth_sweep *w)
         struct pel_smooth_edge *const e = &w->edge[at];
         int32_t k = i;
         set_ends(e, w->row.y);
+        const int32_t left = left_of(e);
         for (; k > 0; k--) {
-            const int32_t before = w->order[k - 1], x = w->edge[before].x0;
-            if (x < e->x0 || (x == e->x0 && before < at))
+            const int32_t before = w->order[k - 1];
+            const int32_t x = left_of(&w->edge[before]);
+            if (x < left || (x == left && before < at))
                 break;
             w->order[k] = before;
         }
@@ -231,13 +256,12 @@ static PEL_NOINLINE_32 void sort_row(struct pel_smooth_sweep *w)
 /* Where the group ends that begins with edge i. */
 static int32_t group_end(const struct pel_smooth_sweep *w, int32_t i)
 {
-    int32_t right = w->edge[w->order[i]].x1;
-    while (++i < w->active) {
+    int32_t right = INT32_MIN;
+    do {
         const struct pel_smooth_edge *const e = &w->edge[w->order[i]];
-        if ((e->x0 >> 1) - (right >> 1) > SAME)
-            break;
-        right = pel_max(right, e->x1);
-    }
+        right = pel_max(right, pel_max(e->x0, e->x1));
+    } while (++i < w->active &&
+             (left_of(&w->edge[w->order[i]]) >> 1) - (right >> 1) <= SAME);
     return i;
 }
 
@@ -257,7 +281,7 @@ void pel_smooth_add_row(struct pel_smooth_sweep *w)
     for (int32_t i = 0; i < w->active; i = end) {
         const struct pel_smooth_edge *const e = &w->edge[w->order[i]];
         end = group_end(w, i);
-        g.from = e->x0;
+        g.from = left_of(e);
         if (begin + 1 == end && is_whole(e))
             add_border(w, &g, e, PEL_SMOOTH_ROW);
         else
@@ -266,5 +290,7 @@ void pel_smooth_add_row(struct pel_smooth_sweep *w)
             begin = end;
             g.base = g.right;
         }
+        for (int32_t k = begin; k < end; k++)
+            set_ends(&w->edge[w->order[k]], w->row.y);
     }
 }

@@ -56,6 +56,9 @@ void pel_smooth_sweep_begin(struct pel_smooth_sweep *w, void *edges,
 bool pel_smooth_sweep_add(struct pel_smooth_sweep *w, const struct pel_point *a,
                           const struct pel_point *b);
 
+/* Draws fewer rows, up to y1: forgets edges below. */
+void pel_smooth_sweep_cut(struct pel_smooth_sweep *w, int32_t y1);
+
 /* Paints what is inside the edges of a closed outline. There are none any more
  * then. */
 void pel_smooth_sweep_paint(struct pel_smooth_sweep *w);

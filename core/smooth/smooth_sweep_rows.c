@@ -52,6 +52,16 @@ bool pel_smooth_sweep_add(struct pel_smooth_sweep *w, const struct pel_point *a,
     return true;
 }
 
+void pel_smooth_sweep_cut(struct pel_smooth_sweep *w, int32_t y1)
+{
+    int32_t kept = 0;
+    for (int32_t i = 0; i < w->count; i++)
+        if (w->edge[i].top < PEL_PX(y1))
+            w->edge[kept++] = w->edge[i];
+    w->count = kept;
+    w->y1 = y1;
+}
+
 /* How many are 0, from the first on. */
 static int32_t zeros(const int32_t *sum, int32_t n)
 {
@@ -136,27 +146,21 @@ static PEL_NOINLINE_32 void enter(struct pel_smooth_sweep *w, int32_t bottom)
         w->active++;
 }
 
-/* Moves those from i on up to k. */
-static void close_up(struct pel_smooth_sweep *w, int32_t k, int32_t i)
-{
-    while (i < w->count)
-        w->order[k++] = w->order[i++];
-    w->count = k;
-}
-
-/* Moves on to the row below; edges that end above it are dropped. */
+/* Moves on to the row below. Edges that end above it are dropped, the others
+ * close up to those to come. */
 static PEL_NOINLINE_32 void advance(struct pel_smooth_sweep *w, int32_t bottom)
 {
-    int32_t kept = 0, i = 0;
-    for (; i < w->active; i++) {
-        struct pel_smooth_edge *const e = &w->edge[w->order[i]];
+    int32_t *const order = w->order;
+    int32_t gone = w->active;
+    for (int32_t i = gone; i-- > 0;) {
+        struct pel_smooth_edge *const e = &w->edge[order[i]];
         e->at += e->step;
         if (e->bottom > bottom)
-            w->order[kept++] = w->order[i];
+            order[--gone] = order[i];
     }
-    w->active = kept;
-    if (kept < i)
-        close_up(w, kept, i);
+    w->order += gone;
+    w->count -= gone;
+    w->active -= gone;
 }
 
 static void sweep_row(struct pel_smooth_sweep *w)
@@ -170,36 +174,51 @@ static void sweep_row(struct pel_smooth_sweep *w)
     advance(w, PEL_PX(w->row.y) + 256);
 }
 
-/* By their top: Shell sort, with gaps of 2^k - 1. */
+/* The first row that is drawn and that it touches, from w->y0 on. */
+static inline int32_t row_of(const struct pel_smooth_sweep *w, int32_t i)
+{
+    return pel_max(pel_pixel_of(w->edge[i].top) - w->y0, 0);
+}
+
+/* By their first row: edges are counted in ranges of 2^shift rows, no more than
+ * there are edges, whose x0 are the counters; within a range they are inserted.
+ */
 static PEL_NOINLINE_32 void sort(struct pel_smooth_sweep *w)
 {
     int32_t *const order = w->order;
-    int32_t gap = 1;
-    while (gap < w->count / 4)
-        gap = 2 * gap + 1;
-    for (; gap; gap /= 2)
-        for (int32_t i = gap; i < w->count; i++) {
-            const int32_t edge = order[i], top = w->edge[edge].top;
-            int32_t k = i;
-            for (; k >= gap && w->edge[order[k - gap]].top > top; k -= gap)
-                order[k] = order[k - gap];
-            order[k] = edge;
-        }
-}
-
-/* The first row that an edge touches, if there is one. */
-static int32_t first_row(const struct pel_smooth_sweep *w)
-{
-    return pel_max(w->y0, pel_pixel_of(w->edge[w->order[0]].top));
+    int32_t sum = 0, shift = 0;
+    while ((w->y1 - w->y0 - 1) >> shift >= w->count)
+        shift++;
+    for (int32_t i = 0; i < w->count; i++)
+        w->edge[i].x0 = 0;
+    for (int32_t i = 0; i < w->count; i++)
+        w->edge[row_of(w, i) >> shift].x0++;
+    for (int32_t i = 0; i < w->count; i++) {
+        sum += w->edge[i].x0;
+        w->edge[i].x0 = sum;
+    }
+    for (int32_t i = w->count; i-- > 0;)
+        order[--w->edge[row_of(w, i) >> shift].x0] = i;
+    for (int32_t i = 1; shift && i < w->count; i++) {
+        const int32_t edge = order[i], row = row_of(w, edge);
+        int32_t k = i;
+        for (; k > 0 && row_of(w, order[k - 1]) > row; k--)
+            order[k] = order[k - 1];
+        order[k] = edge;
+    }
 }
 
 void pel_smooth_sweep_paint(struct pel_smooth_sweep *w)
 {
-    sort(w);
-    w->row.y = w->count > 0 ? first_row(w) : w->y1;
+    w->row.y = w->y1;
+    if (w->count > 0) {
+        sort(w);
+        w->row.y = w->y0 + row_of(w, w->order[0]);
+    }
     for (; w->row.y < w->y1 && w->count > 0; w->row.y++)
         sweep_row(w);
     w->count = w->active = 0;
+    w->order = (int32_t *)(void *)(w->edge + w->room);
 }
 
 static void clear(int32_t *sum, const struct pel_rect *clip)
