@@ -37,9 +37,10 @@ struct pel_icon_shape {
 
 /* Sets transform and scale: the longer side of the icon's box becomes `size`
  * (1/256 px, 0..32,767 px), its middle lies at `at`, and it is turned clockwise
- * by `turn`. */
-void pel_icon_place(struct pel_icon_shape *shape, int32_t size, int32_t turn,
-                    struct pel_point at);
+ * by `turn`. PEL_ERROR_RANGE: the corner of the box is no legal point, and the
+ * icon is not to be drawn. */
+enum pel_status pel_icon_place(struct pel_icon_shape *shape, int32_t size,
+                               int32_t turn, struct pel_point at);
 
 /* The pixels that it may draw in. */
 struct pel_rect pel_icon_box(const struct pel_icon_shape *shape);
@@ -47,7 +48,7 @@ struct pel_rect pel_icon_box(const struct pel_icon_shape *shape);
 /* Bytes of scratch memory, aligned to 8, of a smooth icon: for so many sides in
  * a row, and a clip or a box of so many pixels. An aliased one takes that of
  * pel_path_fill and pel_path_stroke and PEL_ICON_SIZE more. */
-#define PEL_ICON_SIZE (44 * sizeof(void *))
+#define PEL_ICON_SIZE (62 * sizeof(void *))
 #define PEL_ICON_SCRATCH_SIZE(sides, width) \
     (PEL_SMOOTH_PATH_SCRATCH_SIZE(sides, width) + PEL_ICON_SIZE)
 

@@ -4,7 +4,6 @@
 #include "icon_paint.h"
 
 enum {
-    RUN_PIXELS = 8,
     ONE = 4096,  /* a whole way */
     FAR = 32767, /* places beyond are as this one: squares fit 32 bits */
     FAR_LINEAR = 1 << 30
@@ -75,23 +74,38 @@ static uint64_t start_of(const struct pel_icon_axis *axis, int32_t x, int32_t y)
     return axis->at + pel_times(axis->x, x) + pel_times(axis->y, y);
 }
 
+static PEL_NOINLINE void begin_row(const struct pel_icon_paint *p,
+                                   const struct pel_span *span, int32_t y)
+{
+    p->run->x = span->x0;
+    p->run->end = span->x1;
+    p->run->u = start_of(&p->u, span->x0, y);
+    p->run->v = start_of(&p->v, span->x0, y);
+}
+
+/* Sets the colors of the next pixels: how many. */
+static PEL_NOINLINE int32_t next_colors(const struct pel_icon_paint *p)
+{
+    struct pel_icon_run *const run = p->run;
+    const int32_t most = pel_min(run->end - run->x, PEL_ICON_RUN);
+    for (int32_t i = 0; i < most; i++) {
+        run->colors[i] = color_at(p, place_of(p, run->u, run->v));
+        run->u += p->u.x;
+        run->v += p->v.x;
+    }
+    run->x += most;
+    return most;
+}
+
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_icon_paint *const p = (const void *)paint;
-    pel_color colors[RUN_PIXELS];
     for (int32_t i = 0; i < spans->n; i++) {
         const int32_t y = spans->y + i * spans->step;
-        const int32_t end = spans->span[i].x1;
-        int32_t x = spans->span[i].x0;
-        uint64_t u = start_of(&p->u, x, y), v = start_of(&p->v, x, y);
-        for (int32_t n; x < end; x += n) {
-            for (n = 0; n < RUN_PIXELS && x + n < end; n++) {
-                colors[n] = color_at(p, place_of(p, u, v));
-                u += p->u.x;
-                v += p->v.x;
-            }
-            pel_put_colors(spans->surface, x, y, n, colors);
-        }
+        int32_t n;
+        begin_row(p, &spans->span[i], y);
+        while ((n = next_colors(p)) > 0)
+            pel_put_colors(spans->surface, p->run->x - n, y, n, p->run->colors);
     }
 }
 

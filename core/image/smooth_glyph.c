@@ -7,14 +7,21 @@ enum { MOST = 255 * 255 };
  * ones, others behind these, and clear ones. */
 enum { FULL = 3, GAP = 8 };
 
+/* Numbers below 256, which are short where they lie on the stack. */
+#if PEL_SMOOTH_TINY
+typedef uint8_t step_type;
+#else
+typedef uint32_t step_type;
+#endif
+
 /* Steps of coverage, as they lie in a glyph: the run at hand, and where the
  * next one lies. */
 struct runs {
     const uint8_t *at;
-    uint32_t shift;      /* bits of the byte that are left */
-    uint32_t bits, most; /* of a step, and the largest */
-    bool is_raw;         /* each is a run of its own */
-    uint32_t step;
+    step_type shift;      /* bits of the byte that are left */
+    step_type bits, most; /* of a step, and the largest */
+    step_type step;
+    bool is_raw;   /* each is a run of its own */
     uint32_t left; /* px */
 };
 
@@ -49,29 +56,32 @@ static inline bool next_run(struct runs *r, const uint8_t *end)
 {
     if (r->at == end)
         return false;
-    r->step = next_step(r);
+    r->step = (step_type)next_step(r);
     r->left = 1;
-    return r->is_raw || r->step - 1 < r->most - 1 || take_length(r, end);
+    return r->is_raw || r->step - 1u < r->most - 1u || take_length(r, end);
 }
 
-static struct runs runs_of(const struct pel_font_asset *font,
-                           const struct pel_font_glyph *glyph)
+static PEL_ALWAYS_INLINE void begin_runs(struct runs *r,
+                                         const struct pel_font_asset *font,
+                                         const struct pel_font_glyph *glyph)
 {
     const uint32_t bits = font->kind->bits;
-    return (struct runs){.at = font->bits + (glyph->offset & ~PEL_FONT_RAW),
-                         .shift = 8,
-                         .bits = bits,
-                         .most = (1u << bits) - 1,
-                         .is_raw = (glyph->offset & PEL_FONT_RAW) != 0};
+    r->at = font->bits + (glyph->offset & ~PEL_FONT_RAW);
+    r->shift = 8;
+    r->bits = (step_type)bits;
+    r->most = (step_type)((1u << bits) - 1);
+    r->is_raw = (glyph->offset & PEL_FONT_RAW) != 0;
+    r->left = 0;
 }
 
 static bool fits(const struct pel_font_asset *font,
                  const struct pel_font_glyph *glyph)
 {
     const uint8_t *const end = font->bits + font->size;
-    struct runs r = runs_of(font, glyph);
+    struct runs r;
     uint32_t pixels = (uint32_t)glyph->width * glyph->height;
     bool good = (glyph->offset & ~PEL_FONT_RAW) <= font->size;
+    begin_runs(&r, font, glyph);
     while (good && pixels > 0) {
         good = next_run(&r, end) && r.left <= MOST;
         pixels -= r.left < pixels ? r.left : pixels;
@@ -80,40 +90,45 @@ static bool fits(const struct pel_font_asset *font,
 }
 
 #if PEL_SMOOTH_TINY
-/* Pixels with a coverage each, on their way to the layer. */
+/* Pixels of a glyph's row on their way to the layer, before column x. */
 struct drawing {
     struct pel_smooth smooth;
-    int32_t y, left;
+    struct pel_smooth_row row;
+    struct runs runs;
+    int32_t x, right;
     uint8_t coverage[PEL_SMOOTH_BATCH_BYTES];
 };
 
-/* They end before x, where so many full pixels begin. */
-static void flush(struct drawing *d, int32_t x, int32_t full)
-{
-    const struct pel_smooth_row row = {d->y, x - d->left, d->left,
-                                       full, 0,           d->coverage};
-    pel_smooth_paint(&d->smooth, &row);
-    d->left = 0;
-}
-
-/* n pixels of one run, from x on: long ones are no bytes. */
-static void take(struct drawing *d, const struct runs *r, int32_t x, int32_t n,
-                 uint32_t scale)
+/* n pixels of a run, which go to the end of the row that is painted next where
+ * they are many: those are no bytes. True: more are not to follow them. */
+static bool take(struct drawing *d, int32_t n, uint32_t scale)
 {
     const struct pel_rect *const clip = &d->smooth.target->clip;
-    const int32_t end = pel_min(x + n, clip->x1);
-    x = pel_max(x, clip->x0);
-    if (x >= end || d->y < clip->y0)
-        return;
-    if (n >= FULL && r->step - 1 >= r->most - 1) {
-        flush(d, x, r->step ? end - x : 0);
-        return;
+    const uint32_t step = d->runs.step;
+    const int32_t end = pel_min(d->x + n, clip->x1);
+    int32_t x = pel_max(d->x, clip->x0);
+    d->runs.left -= (uint32_t)n;
+    d->x += n;
+    d->row.x = pel_min(x, end) - d->row.left;
+    if (n >= FULL && step - 1 >= d->runs.most - 1u) {
+        d->row.full = step ? pel_max(end - x, 0) : 0;
+        return true;
     }
-    for (; x < end; x++) {
-        if (d->left == PEL_SMOOTH_BATCH_BYTES)
-            flush(d, x, 0);
-        d->coverage[d->left++] = (uint8_t)(r->step * scale);
-    }
+    for (; x < end; x++)
+        d->coverage[d->row.left++] = (uint8_t)(step * scale);
+    return d->row.left > PEL_SMOOTH_BATCH_BYTES - FULL;
+}
+
+/* Pixels from column x on: as many as make a row of the layer. */
+static PEL_NOINLINE_32 void take_row(struct drawing *d, uint32_t scale)
+{
+    int32_t n;
+    d->row.left = d->row.full = 0;
+    do {
+        if (d->runs.left == 0)
+            next_run(&d->runs, NULL);
+        n = pel_min((int32_t)d->runs.left, d->right - d->x);
+    } while (!take(d, n, scale) && d->x < d->right);
 }
 
 static void draw(const struct pel_surface *surface,
@@ -121,23 +136,20 @@ static void draw(const struct pel_surface *surface,
                  const struct pel_font_glyph *glyph, struct pel_point at,
                  const struct pel_paint *paint)
 {
-    const int32_t right = at.x + glyph->width;
     const int32_t end = pel_min(at.y + glyph->height, surface->clip.y1);
-    struct runs r = runs_of(font, glyph);
     struct drawing d;
     if (!pel_smooth_begin(&d.smooth, surface, paint))
         return;
-    d.left = 0;
-    for (d.y = at.y; d.y < end; d.y++) {
-        for (int32_t x = at.x, n; x < right; x += n) {
-            if (r.left == 0)
-                next_run(&r, NULL);
-            n = pel_min((int32_t)r.left, right - x);
-            r.left -= (uint32_t)n;
-            take(&d, &r, x, n, font->kind->scale);
+    begin_runs(&d.runs, font, glyph);
+    d.row.right = 0;
+    d.row.coverage = d.coverage;
+    d.right = at.x + glyph->width;
+    for (d.row.y = at.y; d.row.y < end; d.row.y++)
+        for (d.x = at.x; d.x < d.right;) {
+            take_row(&d, font->kind->scale);
+            if (d.row.y >= surface->clip.y0)
+                pel_smooth_paint(&d.smooth, &d.row);
         }
-        flush(&d, pel_min(right, surface->clip.x1), 0);
-    }
 }
 #else
 /* Rows of a glyph on their way to the layer. */
@@ -190,7 +202,7 @@ static PEL_ALWAYS_INLINE int32_t take_part(struct drawing *d, struct runs *r,
     end = pel_min(end, x + PEL_SMOOTH_BATCH_BYTES - d->bytes);
     while (x < end) {
         if (r->left == 0) {
-            r->step = next_step(r);
+            r->step = (step_type)next_step(r);
             if (r->step - 1 < r->most - 1) {
                 *p++ = (uint8_t)(r->step * d->scale);
                 x++;
@@ -229,8 +241,9 @@ static void draw(const struct pel_surface *surface,
     const int32_t right = at.x + glyph->width;
     const int32_t end = pel_min(at.y + glyph->height, clip->y1);
     const int32_t most = pel_min(glyph->width, PEL_SMOOTH_BATCH_BYTES);
-    struct runs r = runs_of(font, glyph);
+    struct runs r;
     struct drawing d;
+    begin_runs(&r, font, glyph);
     if (!pel_smooth_begin(&d.smooth, surface, paint))
         return;
     d.clip = clip;

@@ -3,7 +3,7 @@
 #ifndef PEL_PATH_SIDES_H
 #define PEL_PATH_SIDES_H
 
-#include "path.h"
+#include "smooth_path.h"
 
 struct pel_sides;
 
@@ -35,6 +35,13 @@ struct pel_sides {
 enum {
     PEL_PENS_SIZE = 90 * sizeof(void *),
     PEL_TAKER_SIZE = PEL_STROKE_SCRATCH_SIZE(0, 0) - PEL_PENS_SIZE
+};
+
+/* Of a smooth painter, in bytes: before the edges, which are aligned to 8,
+ * there are the pens, whose memory is the caller's where the walk has none. */
+enum {
+    PEL_SMOOTH_EDGES_AT = PEL_SMOOTH_PATH_SCRATCH_SIZE(0, 0) - sizeof(int32_t),
+    PEL_SMOOTH_PENS_AT = PEL_SMOOTH_EDGES_AT - PEL_PENS_SIZE
 };
 
 /* What makes them: walks all of an outline. PEL_ERROR_SCRATCH: there was no
@@ -81,10 +88,6 @@ typedef enum pel_status pel_sides_begin(const struct pel_surface *surface,
                                         const struct pel_paint *paint,
                                         const struct pel_scratch *scratch);
 pel_sides_begin pel_sides_begin_fill, pel_sides_begin_smooth;
-
-/* The memory for pens in that of a smooth painter, PEL_PENS_SIZE bytes: the
- * caller's where the walk has no pens there. */
-void *pel_sides_smooth_pens(void *scratch);
 
 /* Draws what the walk makes inside the clip: as many rows at a time as have
  * room. */

@@ -11,19 +11,13 @@ struct smooth {
     struct pel_point to;    /* where the latest side ends */
 };
 
-/* Before the edges, which are aligned to 8. */
-enum { HEAD = PEL_SMOOTH_PATH_SCRATCH_SIZE(0, 0) - sizeof(int32_t) };
-
-typedef char pel_smooth_path_fits[sizeof(struct smooth) + PEL_PENS_SIZE <= HEAD
-                                      ? 1
-                                      : -1];
+typedef char
+    pel_smooth_path_fits[sizeof(struct smooth) <= PEL_SMOOTH_PENS_AT ? 1 : -1];
 
 static void begin(struct pel_sides *sides)
 {
     struct smooth *const s = (struct smooth *)(void *)sides;
-    s->sweep.count = s->sweep.active = 0;
-    s->sweep.y0 = sides->y0;
-    s->sweep.y1 = sides->y1;
+    pel_smooth_sweep_set_rows(&s->sweep, sides->y0, sides->y1);
 }
 
 /* Makes room: the lower half of the rows is drawn later. False: there is one
@@ -68,11 +62,6 @@ static int32_t room_in(const struct pel_scratch *scratch, int32_t width)
     return room > 65536 ? 65536 : (int32_t)room;
 }
 
-void *pel_sides_smooth_pens(void *scratch)
-{
-    return (struct smooth *)scratch + 1;
-}
-
 /* On a format that cannot be blended there are no rows to draw. */
 enum pel_status pel_sides_begin_smooth(const struct pel_surface *surface,
                                        enum pel_fill_rule rule,
@@ -87,11 +76,12 @@ enum pel_status pel_sides_begin_smooth(const struct pel_surface *surface,
     if (room < 0)
         return PEL_ERROR_SCRATCH;
     s->painter.sides.kind = &smooth_kind;
-    s->painter.sides.memory = pel_sides_smooth_pens(s);
+    s->painter.sides.memory = (char *)s + PEL_SMOOTH_PENS_AT;
     s->painter.sides.in_piece = false;
     pel_sides_set_clip(&s->painter, clip);
     if (pel_smooth_begin(&s->sweep.smooth, surface, p))
-        pel_smooth_sweep_begin(&s->sweep, (char *)s + HEAD, room, rule);
+        pel_smooth_sweep_begin(&s->sweep, (char *)s + PEL_SMOOTH_EDGES_AT, room,
+                               rule);
     else
         s->painter.sides.y1 = INT32_MIN;
     return PEL_OK;

@@ -71,6 +71,7 @@ enum pel_status pel_smooth_polygon(const struct pel_surface *surface,
         pel_rect_empty(&surface->clip) || is_beside(&surface->clip, polygon))
         return status;
     pel_smooth_sweep_begin(w, w + 1, polygon->n, polygon->rule);
+    pel_smooth_sweep_set_rows(w, surface->clip.y0, surface->clip.y1);
     add_edges(w, polygon);
     pel_smooth_sweep_paint(w);
     return PEL_OK;

@@ -47,9 +47,18 @@ struct pel_smooth_sweep {
 
 /* After pel_smooth_begin of w->smooth: with memory for the edges and the row,
  * as PEL_SMOOTH_POLYGON_SCRATCH_SIZE counts it. Clears the sums; after a sweep
- * they are 0 again. The rows are those of the clip. */
+ * they are 0 again. */
 void pel_smooth_sweep_begin(struct pel_smooth_sweep *w, void *edges,
                             int32_t room, enum pel_fill_rule rule);
+
+/* Then, before the first edge: the rows, inside the clip. */
+static inline void pel_smooth_sweep_set_rows(struct pel_smooth_sweep *w,
+                                             int32_t y0, int32_t y1)
+{
+    w->count = w->active = 0;
+    w->y0 = y0;
+    w->y1 = y1;
+}
 
 /* Adds the edge from a to b, of legal points, if it touches a row that is
  * drawn. False: there is no room for it. */

@@ -233,11 +233,8 @@ void pel_smooth_sweep_begin(struct pel_smooth_sweep *w, void *edges,
     w->edge = edges;
     w->order = (int32_t *)(void *)(w->edge + room);
     w->sum = w->order + room;
-    w->count = w->active = 0;
     w->room = room;
     w->mask = rule == PEL_EVEN_ODD ? 1 : -1;
-    w->y0 = w->smooth.target->clip.y0;
-    w->y1 = w->smooth.target->clip.y1;
     w->row.right = 0;
     w->row.coverage = w->coverage;
     clear(w->sum, &w->smooth.target->clip);

@@ -70,9 +70,12 @@ static void draw_icon(struct script_pen *pen, const int32_t *v)
     struct pel_icon_shape shape = {.icon = icon,
                                    .kind = icon_kind(icon, pen->smooth),
                                    .color = (pel_color)v[4]};
-    pel_icon_place(&shape, v[2], v[3], (struct pel_point){v[0], v[1]});
-    script_finish(
-        pen, pel_icon(pen->surface, &shape, pen->scratch, pen->scratch_size));
+    enum pel_status status =
+        pel_icon_place(&shape, v[2], v[3], (struct pel_point){v[0], v[1]});
+    if (status == PEL_OK)
+        status =
+            pel_icon(pen->surface, &shape, pen->scratch, pen->scratch_size);
+    script_finish(pen, status);
 }
 
 static void draw_scroll(struct script_pen *pen, const int32_t *v)

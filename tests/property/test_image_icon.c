@@ -317,6 +317,12 @@ TEST(wrong_icons_are_refused)
                      PEL_ERROR_SCRATCH);
     assert_int_equal(pel_icon(NULL, &any.shape, scratch, sizeof scratch),
                      PEL_ERROR_NULL);
+    const struct pel_point edge = {PEL_COORDINATE_MIN, 0};
+    assert_int_equal(pel_icon_place(&any.shape, PEL_PX(9), 0, edge),
+                     PEL_ERROR_RANGE);
+    assert_int_equal(
+        pel_icon_place(&any.shape, PEL_PX(32767), 0, (struct pel_point){0, 0}),
+        PEL_OK);
     struct pel_icon_asset asset = any.asset;
     assert_int_equal(pel_icon_asset_check(NULL), PEL_ERROR_NULL);
     asset.version++;
