@@ -209,6 +209,28 @@ TEST(areas)
     }
 }
 
+/* The worst that hill climbing found: radii of a pixel or two. */
+TEST(worst_known)
+{
+    static const struct round worst[] = {
+        {SECTOR, {-3334, -1290}, {0, 0}, 245, 0, 32334, 16801},
+        {ARC, {-4098, -1538}, {0, 0}, 245, 0, 31386, 17749},
+        {ARC_ROUND, {3079, -4349}, {0, 0}, 515, 24, 32757, 17960}};
+    for (int i = 0; i < 3; i++) {
+        const struct round *const s = &worst[i];
+        const int32_t x0 = (s->center.x >> 8) - 4, y0 = (s->center.y >> 8) - 4;
+        const struct pel_rect b = {x0, y0, x0 + SIZE, y0 + SIZE};
+        const struct pel_surface window = window_of(&b, pixels);
+        draw(&window, s);
+        for (int k = 0; k < SIZE * SIZE; k++) {
+            const real area =
+                255 * round_area_at(s, x0 + k % SIZE, y0 + k / SIZE);
+            if (real_abs(pixels[k] - area) > 1.2L)
+                fail_msg("pixel %d: %d, not %.3Lf", k, pixels[k], area);
+        }
+    }
+}
+
 /* As in test_all_pictures.c: core shows the same whatever its knobs. */
 TEST(every_build_draws_the_same)
 {
