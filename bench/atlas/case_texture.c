@@ -78,7 +78,7 @@ static void colors_affine(const struct lane *l, struct pel_texture *texture,
 static void colors_divided(const struct lane *l, struct pel_texture *texture,
                            int span, pel_color *out)
 {
-    struct pel_perspective p;
+    struct pel_divided_texture p;
     struct pel_plane_setup setup;
     struct pel_texture_corner c[3];
     for (int i = 0; i < 3; i++) {
@@ -88,8 +88,8 @@ static void colors_divided(const struct lane *l, struct pel_texture *texture,
         c[i].z = (int32_t)l->z[end];
     }
     pel_plane_start(&setup, corner);
-    pel_perspective_init(&p, texture, &setup, c, span);
-    p.base.colors(&p.base, 0, 0, LENGTH, out);
+    pel_divided_texture_init(&p, texture, &setup, c, span);
+    p.by.base.colors(&p.by.base, 0, 0, LENGTH, out);
 }
 
 /* How far the exact coordinate lies from the texel that Pel takes, whose number
@@ -118,7 +118,7 @@ static double error_of_pel(const struct lane *l, int span)
     return worst;
 }
 
-/* What Pel adds to the error of its method: paint_perspective.h,
+/* What Pel adds to the error of its method: divided.h,
  * paint_texture.h (corners are in 1/256 texel there). */
 static double slack_of_pel(int span)
 {

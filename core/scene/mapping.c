@@ -85,12 +85,12 @@ const struct pel_mapping pel_map_affine = {NULL, pel_frame_affine,
 
 static const struct pel_color_paint *perspective(struct pel_frame *frame)
 {
-    struct pel_perspective *p = &frame->work->perspective;
+    struct pel_divided_texture *p = &frame->work->perspective;
     struct pel_texture_corner corner[3];
     pel_frame_texels(frame, corner);
-    pel_perspective_init(p, &frame->work->texture, pel_frame_setup(frame),
-                         corner, frame->mesh_texture->span);
-    return &p->base;
+    pel_divided_texture_init(p, &frame->work->texture, pel_frame_setup(frame),
+                             corner, frame->mesh_texture->span);
+    return &p->by.base;
 }
 
 const struct pel_mapping pel_map_perspective = {NULL, perspective,

@@ -31,7 +31,7 @@ extern const struct pel_mapping pel_map_vertices;
  * off by at most du (r - 1) / 4, du its texels, r the ratio of its depths. */
 extern const struct pel_mapping pel_map_affine;
 
-/* In perspective, divided every `span` pixels (paint_perspective.h). */
+/* In perspective, divided every `span` pixels (divided.h). */
 extern const struct pel_mapping pel_map_perspective;
 
 /* u and v of the mesh are 0 to 1 over the picture, v = 0 its first row; `wrap`

@@ -2,16 +2,12 @@
 
 #include "work.h"
 
-/* A triangle whose values from `first` on are divided: a paint that sets the
- * values of `shaded` to those at hand, and `out` to the surface's colors, and
- * calls its function. It follows frame->work[0]. */
+/* A triangle's values in perspective: a surface's colors come first, and then
+ * work->paint.shaded is drawn on them. It follows frame->work[0]. */
 struct pel_divided_triangle {
-    struct pel_color_paint base;
-    struct pel_shaded *shaded;
-    const struct pel_color_paint *surface; /* or NULL */
     struct pel_divided by;
-    uint8_t first;
     struct pel_divided_value value[PEL_VALUES];
+    const struct pel_color_paint *surface; /* or NULL */
 };
 
 typedef char pel_perspective_size[sizeof(struct pel_divided_triangle) <=
@@ -42,17 +38,16 @@ static int32_t range_of(const pel_color color[3])
     return range;
 }
 
-/* True where a line over the span of a pixel keeps the room of all colors: du
- * (r - 1) / 4, du in 1/64 of it. */
-static bool is_near(const struct pel_divided_triangle *d,
-                    const struct pel_plane *line, int32_t x, int32_t y)
+/* True where the lines of all colors keep their room: du (r - 1) / 4, du in
+ * 1/64 of it. */
+static bool is_near(const struct pel_divided *d, int32_t x, int32_t y)
 {
-    const int bits = d->by.span;
-    const int32_t begin = x & (int32_t)(UINT32_MAX << bits);
-    const int64_t w = (int64_t)pel_plane_at(&d->by.w, begin, y) >> 24;
-    const int64_t change = (int64_t)(d->by.w.dx << bits) >> 24;
+    const struct pel_plane *line = pel_divided_planes(d);
+    const int bits = d->span;
+    const int64_t w = (int64_t)pel_plane_at(&d->w, x, y) >> 24;
+    const int64_t change = (int64_t)(d->w.dx << bits) >> 24;
     const int64_t least = change < 0 ? w + change : w;
-    for (int k = 0; k < d->by.values; k++) {
+    for (int k = 0; k < d->values; k++) {
         const uint64_t du =
             (uint64_t)pel_size_of((int64_t)line[k].dx) >> (ROOM - 6 - bits);
         if (du >> 32 ||
@@ -63,31 +58,13 @@ static bool is_near(const struct pel_divided_triangle *d,
     return true;
 }
 
-/* Sets the values of pixels from x on and returns the pixels' number. */
-static int32_t set_values(struct pel_divided_triangle *d, int32_t x, int32_t y)
-{
-    const uint8_t span = d->by.span;
-    struct pel_plane *line = &d->shaded->plane[d->first];
-    int32_t n = pel_divided_lines(&d->by, x, y, line);
-    if (span > 0 && !is_near(d, line, x, y)) {
-        d->by.span = 0;
-        n = pel_divided_lines(&d->by, x, y, line);
-        d->by.span = span;
-    }
-    return n;
-}
-
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
-    struct pel_divided_triangle *d = (void *)(uintptr_t)paint;
-    const struct pel_color_paint *shaded = &d->shaded->base;
+    const struct pel_divided_triangle *d = (const void *)paint;
     if (d->surface)
         d->surface->colors(d->surface, x, y, n, out);
-    for (int32_t part; n > 0; n -= part, x += part, out += part) {
-        part = pel_min(set_values(d, x, y), n);
-        shaded->colors(shaded, 0, 0, part, out);
-    }
+    pel_divided_colors(&d->by.base, x, y, n, out);
 }
 
 /* A surface whose colors are there. */
@@ -116,29 +93,34 @@ static struct pel_divided_triangle *triangle_of(struct pel_frame *frame)
     return (void *)(frame->work + 1);
 }
 
-/* Begins a triangle over which a channel changes by so many steps. A value that
- * is linear on screen is off by at most change (r - 1) / 4, r the ratio of the
- * distances. */
-static bool start(struct pel_frame *frame, int32_t change, int first)
+/* True where values that are linear on screen would show: they are off by at
+ * most change (r - 1) / 4, for a channel that changes by so many steps and r
+ * the ratio of the distances. */
+static bool is_deep(const struct pel_frame *frame, int32_t change)
+{
+    const struct pel_clip_corner *const *c = frame->work->triangle.corner;
+    const int32_t near = pel_min(pel_min(c[0]->z, c[1]->z), c[2]->z);
+    const int32_t far = pel_max(pel_max(c[0]->z, c[1]->z), c[2]->z);
+    return !frame->projector.one && pel_long_product(change, far - near) > near;
+}
+
+/* Divides the values of work->paint.shaded, which has begun. */
+static const struct pel_paint *divide(struct pel_frame *frame,
+                                      const struct pel_color_paint *surface,
+                                      int32_t span)
 {
     const struct pel_frame_triangle *t = &frame->work->triangle;
+    const struct pel_shaded *p = &frame->work->paint.shaded;
     struct pel_divided_triangle *d = triangle_of(frame);
-    int32_t z[3], near = INT32_MAX, far = 0;
-    for (int i = 0; i < 3; i++) {
-        z[i] = t->corner[i]->z;
-        near = pel_min(near, z[i]);
-        far = pel_max(far, z[i]);
-    }
-    if (frame->projector.one || pel_long_product(change, far - near) <= near)
-        return false;
-    pel_divided_init(&d->by, pel_frame_setup(frame), z,
-                     first == PEL_AT_COLOR ? SPAN : PEL_SPAN_EXACT);
-    d->by.values = (uint8_t)(PEL_VALUES - first);
-    d->by.value = &d->value[first];
-    d->first = (uint8_t)first;
-    d->shaded = &frame->work->paint.shaded;
-    pel_color_paint_init(&d->base, colors, frame->opaque);
-    return true;
+    const int32_t z[3] = {t->corner[0]->z, t->corner[1]->z, t->corner[2]->z};
+    d->surface = surface;
+    pel_divided_init(&d->by, &p->base, pel_frame_setup(frame), z, span);
+    d->by.base.colors = colors;
+    d->by.is_near = is_near;
+    d->by.values = (uint8_t)(p->end - p->first);
+    d->by.planes = (uint16_t)(offsetof(struct pel_shaded, plane) +
+                              p->first * sizeof(struct pel_plane));
+    return &d->by.base.paint;
 }
 
 static void set_value(struct pel_frame *frame, int k, const int32_t vertex[3])
@@ -149,7 +131,8 @@ static void set_value(struct pel_frame *frame, int k, const int32_t vertex[3])
     pel_corners_mix(&frame->work->triangle, vertex, corner);
     for (int i = 0; i < 3; i++)
         fine[i] = corner[i] * INT64_C(256);
-    pel_divided_set(&d->value[k], &d->by, pel_frame_setup(frame), fine);
+    pel_divided_set(&d->value[k - frame->work->paint.shaded.first], &d->by,
+                    pel_frame_setup(frame), fine);
 }
 
 static const struct pel_paint *gouraud(struct pel_frame *frame,
@@ -157,28 +140,25 @@ static const struct pel_paint *gouraud(struct pel_frame *frame,
                                        const pel_color color[3])
 {
     static const struct pel_color_paint none = PEL_COLOR_PAINT(white, true);
-    struct pel_divided_triangle *d = triangle_of(frame);
-    if (!start(frame, range_of(color), PEL_AT_COLOR))
+    if (!is_deep(frame, range_of(color)))
         return pel_frame_gouraud_paint(frame, surface, color);
-    d->surface = surface ? surface : &none;
     pel_shaded_start(frame, &surface_there, pel_modulated_pixel, PEL_AT_COLOR);
+    const struct pel_paint *paint =
+        divide(frame, surface ? surface : &none, SPAN);
     pel_color_planes(frame, color, set_value);
-    return &d->base.paint;
+    return paint;
 }
 
 static const struct pel_paint *phong(struct pel_frame *frame,
                                      const struct pel_color_paint *surface,
                                      const pel_color color[3])
 {
-    struct pel_divided_triangle *d = triangle_of(frame);
-    if (!start(frame, CHANGE_OF_LIGHT, 0))
+    if (!is_deep(frame, CHANGE_OF_LIGHT))
         return pel_phong_paint(frame, surface, color);
     pel_shaded_start(frame, surface ? &surface_there : NULL, pel_lit_pixel, 0);
-    d->surface = surface;
-    if (surface)
-        d->by.values = PEL_AT_COLOR;
+    const struct pel_paint *paint = divide(frame, surface, PEL_SPAN_EXACT);
     pel_phong_values(frame, color, set_value);
-    return &d->base.paint;
+    return paint;
 }
 
 const struct pel_interpolation pel_in_world = {gouraud, phong, ERROR};

@@ -31,10 +31,10 @@ static uint64_t slope_of(const struct pel_plane *plane)
 /* In a span of n pixels w is `near` or more and changes by a = n |dw| at most,
  * u w by n |d(uw)|: so u, up to 3/2 where spans are divided, changes by
  * (n |d(uw)| + 3/2 a) / near or less, and r - 1 is a / near or less. */
-static bool is_span(const struct pel_perspective *p, int bits, uint64_t least,
-                    int32_t room)
+static bool is_span(const struct pel_divided_texture *p, int bits,
+                    uint64_t least, int32_t room)
 {
-    const uint64_t a = slope_of(&p->divided.w) << bits;
+    const uint64_t a = slope_of(&p->by.w) << bits;
     if (2 * a > least)
         return false;
     const uint64_t near = least - a;
@@ -50,7 +50,7 @@ static bool is_span(const struct pel_perspective *p, int bits, uint64_t least,
 
 static const struct pel_color_paint *surface(struct pel_frame *frame)
 {
-    struct pel_perspective *p = &frame->work->perspective;
+    struct pel_divided_texture *p = &frame->work->perspective;
     const int32_t room =
         pel_max(pel_min(frame->scene->texel_tolerance, 65536), 0) -
         MAPPING_ERROR;
@@ -60,14 +60,14 @@ static const struct pel_color_paint *surface(struct pel_frame *frame)
     const int32_t far = pel_max(pel_max(c[0].z, c[1].z), c[2].z);
     if (room > 0 && is_affine(c, near, far, room))
         return pel_frame_affine(frame);
-    pel_perspective_init(p, &frame->work->texture, pel_frame_setup(frame), c,
-                         room > 0 ? PEL_SPAN_MAX : PEL_SPAN_EXACT);
+    pel_divided_texture_init(p, &frame->work->texture, pel_frame_setup(frame),
+                             c, room > 0 ? PEL_SPAN_MAX : PEL_SPAN_EXACT);
     /* The least w is near / far. */
     const uint64_t least =
         pel_divide((uint64_t)(uint32_t)near << 16, (uint32_t)far);
-    while (p->divided.span > 0 && !is_span(p, p->divided.span, least, room))
-        p->divided.span--;
-    return &p->base;
+    while (p->by.span > 0 && !is_span(p, p->by.span, least, room))
+        p->by.span--;
+    return &p->by.base;
 }
 
 const struct pel_mapping pel_map_chosen = {NULL, surface, pel_frame_modulate};

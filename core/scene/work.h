@@ -7,7 +7,7 @@
 #include "clip.h"
 #include "depth.h"
 #include "mapping.h"
-#include "paint_perspective.h"
+#include "divided.h"
 #include "shaded.h"
 
 PEL_BEGIN_DECLS
@@ -40,7 +40,7 @@ struct pel_frame_work {
         struct pel_shaded shaded;
     } paint;
     struct pel_texture texture; /* of the part; mappings set its map */
-    struct pel_perspective perspective;
+    struct pel_divided_texture perspective;
     struct pel_depth_paint depth;
     struct pel_clip clip;
 };

@@ -22,7 +22,7 @@ struct colored {
     /* What shines is added, mapped as the texture is; or NULL. */
     const struct pel_color_paint *shining;
     struct pel_texture glow;
-    struct pel_perspective perspective;
+    struct pel_divided_texture perspective;
 };
 
 /* Light of a texel times `light`, plus that of another, as a byte. */
@@ -86,8 +86,8 @@ static const struct pel_color_paint *shining(
     if (texture == &frame->work->texture.base)
         return &p->glow.base;
     p->perspective = frame->work->perspective;
-    p->perspective.texture = &p->glow;
-    return &p->perspective.base;
+    p->perspective.by.inner = &p->glow.base;
+    return &p->perspective.by.base;
 }
 
 /* Of the triangle that this thread draws. */

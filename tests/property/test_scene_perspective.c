@@ -28,15 +28,15 @@ static void draw(const struct subject *s)
     struct pel_surface surface;
     struct pel_plane_setup setup;
     struct pel_texture sampler;
-    struct pel_perspective paint;
+    struct pel_divided_texture paint;
     memset(pixels, 0, sizeof pixels);
     surface = surface_of(&pel_xrgb8888, pixels, sizeof pixels, SIDE, SIDE);
     assert_int_equal(pel_texture_init_nearest(&sampler, &t, &none), PEL_OK);
     sampler.wrap_u = sampler.wrap_v = s->wrap;
     if (!pel_plane_start(&setup, s->v))
         return;
-    pel_perspective_init(&paint, &sampler, &setup, s->corner, s->span);
-    pel_triangle(&surface, s->v, &paint.base.paint);
+    pel_divided_texture_init(&paint, &sampler, &setup, s->corner, s->span);
+    pel_triangle(&surface, s->v, &paint.by.base.paint);
 }
 
 /* u, v and 1 / z times the smallest z. */

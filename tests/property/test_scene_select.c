@@ -122,7 +122,7 @@ TEST(places_in_textures)
             any_scene_draw(&s, &pel_shade_gouraud, &frame, &chosen);
             const int32_t off = canvas_difference(&exact, &chosen);
             worst[i] = pel_max(worst[i], off);
-            spans += frame.work->perspective.divided.span > 0;
+            spans += frame.work->perspective.by.span > 0;
             if (off > tolerances[i] + 1)
                 fail_msg("%d texels off with tolerance %d; %s", off,
                          tolerances[i], cases_replay());
