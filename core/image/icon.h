@@ -2,7 +2,7 @@
  * angle from one table, as `pel import ICON.svg` writes it. Icons of one size
  * that stand upright take less time as pictures (`--icon-size`).
  *
- *     static uint64_t scratch[PEL_ICON_SCRATCH_SIZE(64, 48 + 3) / 8 + 1];
+ *     static uint64_t scratch[ICON_HOME_SCRATCH(48) / 8 + 1];
  *     struct pel_icon_shape home = {.icon = &icon_home,
  *                                   .kind = &pel_icon_smooth};
  *     pel_icon_place(&home, PEL_PX(48), 0, pel_at(32, 32));

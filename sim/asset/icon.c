@@ -112,14 +112,17 @@ static void take_program_color(const struct pel_icon_asset *icon)
 bool import_icon(const struct import_options *options)
 {
     struct pel_icon_asset icon;
+    struct icon_need need;
     struct import_text text;
     bool done = icon_load(&icon, options->source);
     if (!done)
         return false;
     if (options->symbolic)
         take_program_color(&icon);
-    done = import_text_open(&text, options, "icon");
+    done = icon_need(&need, &icon) && import_text_open(&text, options, "icon");
     if (done) {
+        text.scratch[0] = need.sides;
+        text.scratch[1] = need.width;
         write_icon(&text, &icon);
         done = import_text_commit(&text);
     }

@@ -9,6 +9,7 @@
 #include "sim/asset/import.h"
 #include "sim/cli/message.h"
 #include "sim/cli/text_line.h"
+#include "sim/icon/icon.h"
 
 static const char made[] = "/* Made by pel import from ";
 
@@ -88,6 +89,7 @@ bool import_text_open(struct import_text *text,
     text->kind = kind;
     text->palette = text->alpha = text->shading = false;
     text->mappings = 0;
+    text->scratch[0] = 0;
     if (!output_open(&text->output, options->output))
         return false;
     print_origin(text->output.stream, options);
@@ -181,6 +183,20 @@ static bool is_foreign(const char *path, const struct import_text *text)
     return true;
 }
 
+static void print_scratch(FILE *out, const struct import_text *text)
+{
+    fprintf(out,
+            "\n/* Bytes of scratch memory, aligned to 8, for pel_icon at up to "
+            "so many px,\n * %d at most, and any angle. */\n#define ",
+            ICON_SCRATCH_SIZE_MAX);
+    for (const char *c = text->options->name; *c; c++)
+        fputc(toupper((unsigned char)*c), out);
+    fprintf(out,
+            "_SCRATCH(px) \\\n    PEL_ICON_SCRATCH_SIZE(%d, (px) * %d / 1024 + "
+            "4)\n",
+            text->scratch[0], text->scratch[1]);
+}
+
 /* pel.h, which C++ may include too. */
 static void print_header(FILE *out, const struct import_text *text)
 {
@@ -190,6 +206,8 @@ static void print_header(FILE *out, const struct import_text *text)
             name);
     fprintf(out, "#include <pel/pel.h>\n\n");
     print_declaration(out, text);
+    if (text->scratch[0])
+        print_scratch(out, text);
     fprintf(out, "\n#endif\n");
 }
 

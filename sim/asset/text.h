@@ -15,6 +15,7 @@ struct import_text {
     bool palette;      /* of a picture: struct pel_palette, NAME_palette */
     bool alpha;        /* of an image: another one, NAME_alpha */
     bool shading;      /* of a mesh: struct pel_shading *, NAME_shading */
+    int scratch[2];    /* of an icon: sides in a row, 1,024ths of its width */
     unsigned mappings; /* of its textures: NAME_mapping and NAME_span */
     int column;        /* of the line that is being written */
 };

@@ -1,5 +1,6 @@
 #include "sim/icon/icon.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "core/pel.h"
@@ -61,6 +62,43 @@ const struct pel_icon_kind *icon_kind(const struct pel_icon_asset *icon,
     if (icon->strokes)
         return smooth ? &pel_icon_smooth_strokes : &pel_icon_aliased_strokes;
     return smooth ? &pel_icon_smooth : &pel_icon_aliased;
+}
+
+/* Sides that come to be in a row at one place: `sides`, or more. A column of
+ * the icon has all that are in its rows. */
+static bool count_sides(const struct pel_surface *column,
+                        struct pel_icon_shape *shape, int32_t turn,
+                        int32_t *sides)
+{
+    const int32_t half = column->bounds.y1 * 128;
+    const size_t most = PEL_ICON_SCRATCH_SIZE(65536, 1);
+    void *scratch = malloc(most);
+    for (int size = ICON_SCRATCH_SIZE_MAX; size >= 4; size = size * 2 / 3)
+        while (scratch && *sides < 65536 &&
+               pel_icon_place(shape, PEL_PX(size), turn,
+                              (struct pel_point){128, half}) == PEL_OK &&
+               pel_icon(column, shape, scratch,
+                        PEL_ICON_SCRATCH_SIZE(*sides, 1)) == PEL_ERROR_SCRATCH)
+            *sides += 1 + *sides / 16;
+    free(scratch);
+    return scratch || message_error("out of memory");
+}
+
+bool icon_need(struct icon_need *need, const struct pel_icon_asset *icon)
+{
+    const int32_t side = pel_max(icon->width, icon->height);
+    const double across =
+        hypot(icon->right - icon->left, icon->bottom - icon->top);
+    struct pel_icon_shape shape = {.icon = icon, .kind = icon_kind(icon, true)};
+    struct canvas canvas;
+    bool done = canvas_init(&canvas, &pel_gray8, 1, 3 * ICON_SCRATCH_SIZE_MAX);
+    need->sides = 1;
+    need->width = (int32_t)ceil(across * 1024 / side);
+    for (int32_t turn = 0; done && turn < 32; turn++)
+        done = count_sides(&canvas.surface, &shape, turn * 2048, &need->sides);
+    need->sides += need->sides / 4 + 4;
+    canvas_free(&canvas);
+    return done;
 }
 
 /* Over black and over white: what is between the two is not covered. */

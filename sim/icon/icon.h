@@ -18,6 +18,15 @@ void icon_free(struct pel_icon_asset *icon);
 const struct pel_icon_kind *icon_kind(const struct pel_icon_asset *icon,
                                       bool smooth);
 
+/* What pel_icon needs at sizes up to ICON_SCRATCH_SIZE_MAX px, at any angle:
+ * sides in a row, and 1,024ths of its size that a row may be wide. Sides are
+ * counted at some sizes and angles, and a quarter more is said. */
+enum { ICON_SCRATCH_SIZE_MAX = 256 };
+struct icon_need {
+    int32_t sides, width;
+};
+bool icon_need(struct icon_need *need, const struct pel_icon_asset *icon);
+
 /* A picture whose longer side has `size` px, with alpha, smooth, as pel_icon
  * draws it. False, with a message. */
 bool icon_picture(struct picture *picture, const struct pel_icon_asset *icon,

@@ -6,15 +6,13 @@ set -u
 icons=docs/pictures
 
 cat >"$work/draw.c" <<'EOF'
-#include <pel/pel.h>
+#include "a.h"
 #include <stdio.h>
-
-extern const struct pel_icon_asset asset;
 
 int main(int argc, char **argv)
 {
     static uint8_t pixels[64 * 64 * 4];
-    static uint64_t scratch[PEL_ICON_SCRATCH_SIZE(999, 64) / 8 + 1];
+    static uint64_t scratch[ASSET_SCRATCH(256) / 8 + 1];
     const struct pel_rect bounds = {0, 0, 64, 64};
     struct pel_icon_shape shape = {.icon = &asset,
                                    .color = PEL_RGB(200, 30, 70)};
@@ -27,9 +25,15 @@ int main(int argc, char **argv)
     if (pel_icon_asset_check(&asset) != PEL_OK)
         return 1;
     pel_surface_init(&surface, &pel_xrgb8888, pixels, sizeof pixels, &bounds);
+    for (int size = 5; size <= 256; size += 17) {
+        pel_icon_place(&shape, PEL_PX(size), size * 999,
+                       (struct pel_point){8000, 8100});
+        if (pel_icon(&surface, &shape, scratch, ASSET_SCRATCH(size)) != PEL_OK)
+            return 1;
+    }
     pel_clear(&surface, PEL_RGB(255, 255, 255));
     pel_icon_place(&shape, PEL_PX(48), 7000, (struct pel_point){8000, 8100});
-    if (pel_icon(&surface, &shape, scratch, sizeof scratch) != PEL_OK)
+    if (pel_icon(&surface, &shape, scratch, ASSET_SCRATCH(48)) != PEL_OK)
         return 1;
     printf("P6 64 64 255\n");
     for (int i = 0; i < 64 * 64; i++)
