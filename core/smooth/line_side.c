@@ -2,20 +2,20 @@
 
 #include "smooth_edge.h"
 
-bool pel_smooth_cut(struct pel_smooth_strip *s,
-                    const struct pel_smooth_curve *curve, int32_t k,
-                    bool upright)
+bool pel_smooth_cut(const struct pel_smooth_outline *o, int32_t i, int32_t k,
+                    bool upright, struct pel_smooth_strip *s)
 {
-    for (int32_t i = 0; i < 2; i++) {
-        const struct pel_smooth_place *const p = i ? &curve->to : &curve->from;
+    const struct pel_smooth_ends *const e = &o->ends[i];
+    for (int32_t last = 0; last < 2; last++) {
+        const struct pel_smooth_place *const p = last ? &e->to : &e->from;
         const int32_t v = pel_magnitude(p->y), u = pel_magnitude(p->x);
-        if (k != (i ? curve->count - 1 : 0))
+        if (k != (last ? o->curve[i].circle.count - 1 : 0))
             continue;
-        if (i == upright && v > s->near) {
+        if (last == upright && v > s->near) {
             s->near = v;
             s->at_near = u;
         }
-        if (i != upright && v < s->far) {
+        if (last != upright && v < s->far) {
             s->far = v;
             s->at_far = u;
         }
@@ -25,11 +25,13 @@ bool pel_smooth_cut(struct pel_smooth_strip *s,
 }
 
 static PEL_NOINLINE_32 void set_place(struct pel_smooth_far_place *far,
-                                      const struct pel_smooth_curve *curve,
-                                      bool last)
+                                      const struct pel_smooth_outline *o,
+                                      int32_t k, bool last)
 {
+    const struct pel_smooth_curve *const curve = &o->curve[k];
+    const struct pel_smooth_ends *const ends = &o->ends[k];
     const struct pel_smooth_place *const p =
-        last == curve->hole ? &curve->from : &curve->to;
+        last == curve->circle.hole ? &ends->from : &ends->to;
     far->x = (int64_t)curve->center.x * 256 + p->x;
     far->y = (int64_t)curve->center.y * 256 + p->y;
 }
@@ -37,9 +39,8 @@ static PEL_NOINLINE_32 void set_place(struct pel_smooth_far_place *far,
 void pel_smooth_joint(const struct pel_smooth_outline *o, int32_t k,
                       bool flipped, struct pel_smooth_far_place place[2])
 {
-    set_place(&place[flipped], &o->curve[k], true);
-    set_place(&place[!flipped], &o->curve[k + 1 == o->curves ? 0 : k + 1],
-              false);
+    set_place(&place[flipped], o, k, true);
+    set_place(&place[!flipped], o, k + 1 == o->curves ? 0 : k + 1, false);
 }
 
 /* x at the top of a row that the line crosses. */
@@ -115,6 +116,8 @@ static bool find_line(struct pel_smooth_outline *outline, int32_t y, int32_t i,
            find_part(lines, y, i, c);
 }
 
+static const struct pel_smooth_sides line_sides = {pel_smooth_cut, find_line};
+
 /* Of a direction, from one place down to the other. */
 static void set_line(struct pel_smooth_line *l, struct pel_point d,
                      const struct pel_smooth_far_place end[2])
@@ -134,6 +137,7 @@ static void set_line(struct pel_smooth_line *l, struct pel_point d,
 
 void pel_smooth_lines_begin(struct pel_smooth_lines *lines,
                             struct pel_smooth_curve *curve,
+                            struct pel_smooth_ends *ends,
                             struct pel_smooth_line *line, bool wide)
 {
     struct pel_smooth_outline *const o = &lines->outline;
@@ -141,10 +145,9 @@ void pel_smooth_lines_begin(struct pel_smooth_lines *lines,
     lines->wide = wide;
     o->curve = curve;
     o->curves = 2;
-    o->cut = pel_smooth_cut;
+    o->ends = ends;
+    o->sides = &line_sides;
     o->count = 0;
-    o->others = pel_smooth_others;
-    o->other = find_line;
     o->mirrored = false;
     o->spread.x = o->spread.y = 0;
 }

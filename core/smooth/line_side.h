@@ -25,10 +25,9 @@ struct pel_smooth_line {
     bool rising; /* the outline goes up */
 };
 
-/* Cuts quarters of curves (`cut` of an outline). */
-bool pel_smooth_cut(struct pel_smooth_strip *strip,
-                    const struct pel_smooth_curve *curve, int32_t k,
-                    bool upright);
+/* Cuts quarters of curves (of struct pel_smooth_sides). */
+bool pel_smooth_cut(const struct pel_smooth_outline *outline, int32_t i,
+                    int32_t k, bool upright, struct pel_smooth_strip *strip);
 
 /* An outline of two curves and the lines between them. */
 struct pel_smooth_lines {
@@ -40,6 +39,7 @@ struct pel_smooth_lines {
 /* Begins it with two curves, which the caller sets, and no line yet. */
 void pel_smooth_lines_begin(struct pel_smooth_lines *lines,
                             struct pel_smooth_curve *curve,
+                            struct pel_smooth_ends *ends,
                             struct pel_smooth_line *line, bool wide);
 
 /* Adds a line in a direction, from curve k to the next one; none if it is

@@ -12,16 +12,16 @@ struct pel_smooth_place {
     int32_t x, y; /* 2^-16 px from a centre */
 };
 
-/* Part of a circle, clockwise from one place to another through some quadrants,
- * of which 0 begins at +x. */
+/* Where a part of a circle begins and ends, clockwise. */
+struct pel_smooth_ends {
+    struct pel_smooth_place from, to;
+};
+
+/* A circle, or a part of one. */
 struct pel_smooth_curve {
     struct pel_point center;
-    struct pel_smooth_place from, to;
-    uint8_t first, count; /* quadrants */
-    bool hole;            /* the outline goes backwards */
     struct pel_smooth_circle circle;
-    int32_t row;   /* of what follows */
-    int32_t at[2]; /* where the circle is at its ends */
+    int32_t at[2]; /* where the circle is at the ends of the outline's row */
 };
 
 /* What an outline has in a row: a strip, in the picture that is mirrored if
@@ -34,40 +34,44 @@ struct pel_smooth_crossing {
     int8_t other; /* the number of a side that is none of a circle's; or -1 */
 };
 
-struct pel_smooth_visitor;
+struct pel_smooth_outline;
+
+/* What the sides of an outline are, beside whole circles. */
+struct pel_smooth_sides {
+    /* Cuts a strip of the kth quarter of the ith curve, which begins at the
+     * upright axis or at the level one, at the curve's ends; false: none is
+     * left. NULL: curves have no ends. */
+    bool (*cut)(const struct pel_smooth_outline *outline, int32_t i, int32_t k,
+                bool upright, struct pel_smooth_strip *strip);
+    /* The ith other side in row y; false: there is none. */
+    bool (*other)(struct pel_smooth_outline *outline, int32_t y, int32_t i,
+                  struct pel_smooth_crossing *crossing);
+};
+
 struct pel_smooth_outline {
     struct pel_smooth smooth; /* first */
     struct pel_rect seen;     /* px */
     struct pel_point spread;  /* of a rounded rectangle's corners, 1/256 px */
     struct pel_smooth_curve *curve;
-    uint8_t curves, count; /* of sides of other kinds */
-    bool inside;           /* no column is clipped away */
-    bool mirrored;         /* rows are painted with their mirror images, .. */
-    int32_t mirror_y;      /* .. to which their y adds up */
-    int32_t alike; /* up to this row no side begins or ends (whole_rows.c) */
-    /* Cuts a strip of the kth quarter of a curve, which begins at the upright
-     * axis or at the level one, at the curve's ends; false: none is left. NULL:
-     * curves are circles, without ends. */
-    bool (*cut)(struct pel_smooth_strip *strip,
-                const struct pel_smooth_curve *curve, int32_t k, bool upright);
-    /* pel_smooth_others, or NULL where there are none. */
-    void (*others)(struct pel_smooth_outline *outline, int32_t y,
-                   struct pel_smooth_visitor *visitor);
-    /* The ith of them in row y; false: there is none. */
-    bool (*other)(struct pel_smooth_outline *outline, int32_t y, int32_t i,
-                  struct pel_smooth_crossing *crossing);
+    struct pel_smooth_ends *ends;         /* of each curve, where it has some */
+    const struct pel_smooth_sides *sides; /* NULL: circles alone */
+    int32_t row;                          /* that curves were at last */
+    uint8_t curves, count;                /* of sides that are no curves */
+    bool inside;                          /* no column is clipped away */
+    bool mirrored; /* rows are painted with their mirror images, .. */
+#if !PEL_SMOOTH_TINY
+    int32_t mirror_y; /* .. to which their y adds up */
+    int32_t alike;    /* up to this row no side begins or ends (whole_rows.c) */
+#endif
 };
 
-/* Begins to paint an outline that has all but smooth, seen, inside, mirror_y
- * and alike, which are set here. False: nothing in the box of pixels can be
- * seen. */
+/* Begins to paint an outline that has all but smooth, seen, row, inside,
+ * mirror_y and alike, which are set here. False: nothing in the box of pixels
+ * can be seen. */
 bool pel_smooth_outline_begin(struct pel_smooth_outline *outline,
                               const struct pel_surface *surface,
                               const struct pel_rect *box,
                               const struct pel_paint *paint);
-
-/* Sets what follows `hole`: the circle, and no row yet. */
-void pel_smooth_curve_set(struct pel_smooth_curve *curve, int32_t radius);
 
 /* Paints what is to be seen. */
 void pel_smooth_outline_paint(struct pel_smooth_outline *outline);
@@ -77,26 +81,15 @@ void pel_smooth_outline_paint(struct pel_smooth_outline *outline);
 bool pel_smooth_upright(struct pel_smooth_crossing *crossing, int32_t y,
                         int64_t from, int64_t to);
 
-/* What is called with each crossing of a row. */
+/* Takes the crossings of a row, one by one. */
 struct pel_smooth_visitor {
-    void (*visit)(struct pel_smooth_visitor *visitor,
-                  struct pel_smooth_crossing *crossing);
+    struct pel_smooth_crossing crossing;
+    void (*visit)(struct pel_smooth_visitor *visitor);
 };
 
-void pel_smooth_visit_curves(struct pel_smooth_outline *outline, int32_t y,
-                             struct pel_smooth_visitor *visitor);
-void pel_smooth_others(struct pel_smooth_outline *outline, int32_t y,
-                       struct pel_smooth_visitor *visitor);
-
-/* All of them. */
-static inline void pel_smooth_visit(struct pel_smooth_outline *outline,
-                                    int32_t y,
-                                    struct pel_smooth_visitor *visitor)
-{
-    pel_smooth_visit_curves(outline, y, visitor);
-    if (outline->others)
-        outline->others(outline, y, visitor);
-}
+/* Not where PEL_SMOOTH_TINY is 1. */
+void pel_smooth_visit(struct pel_smooth_outline *outline, int32_t y,
+                      struct pel_smooth_visitor *visitor);
 
 /* The inner boundary of a column that it crosses, in its picture. */
 static inline int32_t pel_smooth_boundary(const struct pel_smooth_crossing *c,

@@ -4,10 +4,8 @@ static void set_circle(struct pel_smooth_curve *curve, struct pel_point center,
                        int32_t radius, bool hole)
 {
     curve->center = center;
-    curve->first = 0;
-    curve->count = 4;
-    curve->hole = hole;
-    pel_smooth_curve_set(curve, radius);
+    pel_smooth_circle_set(&curve->circle, radius);
+    curve->circle.hole = hole;
 }
 
 void pel_smooth_round_set(struct pel_smooth_outline *o,
@@ -17,8 +15,9 @@ void pel_smooth_round_set(struct pel_smooth_outline *o,
     o->spread.x = o->spread.y = 0;
     o->curve = curve;
     o->curves = inner > 0 ? 2 : 1;
-    o->cut = NULL;
-    o->others = NULL;
+    o->ends = NULL;
+    o->sides = NULL;
+    o->count = 0;
     set_circle(curve, center, outer, false);
     if (inner > 0)
         set_circle(curve + 1, center, inner, true);

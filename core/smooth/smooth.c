@@ -92,54 +92,89 @@ bool pel_smooth_begin(struct pel_smooth *smooth,
 
 #if PEL_SMOOTH_TINY
 
-/* Colors that are weighed at a time. */
-enum { COLORS = PEL_SMALL_CODE ? 4 : 8 };
-
-/* Into colors that are 0. */
-static PEL_NOINLINE_32 void take_colors(const struct pel_smooth *smooth,
-                                        const struct pel_span *span, int32_t y,
-                                        pel_color *colors)
-{
-    struct pel_smooth_surface buffer;
-    const struct pel_spans spans = {&buffer.surface, span, y, 1, 0};
-    pel_smooth_buffer_set(&buffer, smooth->target, span, y, colors);
-    smooth->paint->fill(smooth->paint, &spans);
-}
-
-/* In parts without pixels of 0 at their ends. Inlined into two functions, for
- * less stack. */
-static PEL_ALWAYS_INLINE void paint_row(const struct pel_smooth *smooth,
-                                        const struct pel_smooth_row *row)
+void pel_smooth_drawing_begin(struct pel_smooth_drawing *d,
+                              const struct pel_smooth *smooth)
 {
     const struct pel_flat *const flat = pel_smooth_flat(smooth);
+    const struct pel_span *const span = d->spans.span;
+    pel_smooth_set_colors(d->colors, span->x1 - span->x0,
+                          flat ? flat->color : 0);
+    d->buffer.target = smooth->target;
+    if (flat)
+        return;
+    pel_smooth_buffer_set(&d->buffer, smooth->target, span, d->spans.y,
+                          d->colors);
+    d->spans.surface = &d->buffer.surface;
+}
+
+static PEL_NOINLINE void weigh(pel_color *colors, int32_t n,
+                               const uint8_t *coverage)
+{
+    pel_smooth_weigh(colors, n, coverage);
+}
+
+void pel_smooth_drawing_end(struct pel_smooth_drawing *d,
+                            const uint8_t *coverage)
+{
+    const struct pel_surface *const target = d->buffer.target;
+    const struct pel_span *const span = d->spans.span;
+    const int32_t n = span->x1 - span->x0;
+    weigh(d->colors, n, coverage);
+    if (target->format)
+        target->format->put(target, span->x0, d->spans.y, n, d->colors);
+}
+
+void paint_flat(const struct pel_smooth *smooth, int32_t y,
+                const struct pel_span *span, const uint8_t *coverage)
+{
     const struct pel_surface *const target = smooth->target;
-    const uint8_t *const coverage = row->coverage;
+    const int32_t n = span->x1 - span->x0;
+    pel_color colors[PEL_SMOOTH_PIXELS];
+    pel_smooth_set_colors(colors, n, pel_smooth_flat(smooth)->color);
+    weigh(colors, n, coverage);
+    if (target->format)
+        target->format->put(target, span->x0, y, n, colors);
+}
+
+static PEL_NOINLINE void paint_colors(const struct pel_smooth *smooth,
+                                      int32_t y, const struct pel_span *span,
+                                      const uint8_t *coverage)
+{
+    struct pel_smooth_drawing d;
+    pel_smooth_draw(&d, smooth, y, span, coverage);
+}
+
+/* The next pixels whose coverage is not 0, from the ith byte on, among those
+ * before the full ones or those behind them: where their bytes begin. */
+static PEL_NOINLINE int32_t next_pixels(const struct pel_smooth_row *row,
+                                        int32_t i, struct pel_span *span)
+{
     const int32_t left = row->left, all = left + row->right;
-    struct pel_span part = {row->x + left, row->x + left + row->full};
-    pel_color colors[COLORS];
-    pel_smooth_paint_full(smooth, row->y, 1, &part);
-    for (int32_t i = 0, n; i < all; i += n) {
-        n = 1;
-        if (coverage[i] == 0)
-            continue;
-        n = pel_min((i < left ? left : all) - i, COLORS);
-        while (coverage[i + n - 1] == 0)
-            n--;
-        part.x0 = row->x + i + (i < left ? 0 : row->full);
-        part.x1 = part.x0 + n;
-        pel_smooth_set_colors(colors, n, flat ? flat->color : 0);
-        if (!flat)
-            take_colors(smooth, &part, row->y, colors);
-        pel_smooth_weigh(colors, n, coverage + i);
-        if (target->format)
-            target->format->put(target, part.x0, row->y, n, colors);
-    }
+    while (i < all && row->coverage[i] == 0)
+        i++;
+    const int32_t x = row->x + i + (i < left ? 0 : row->full);
+    int32_t n = pel_min((i < left ? left : all) - i, PEL_SMOOTH_PIXELS);
+    while (n > 0 && row->coverage[i + n - 1] == 0)
+        n--;
+    *span = (struct pel_span){x, x + n};
+    return i;
 }
 
 void pel_smooth_paint(const struct pel_smooth *smooth,
                       const struct pel_smooth_row *row)
 {
-    paint_row(smooth, row);
+    const int32_t x = row->x + row->left;
+    struct pel_span span = {x, x + row->full};
+    pel_smooth_paint_full(smooth, row->y, 1, &span);
+    for (int32_t i = 0;; i += span.x1 - span.x0) {
+        i = next_pixels(row, i, &span);
+        if (span.x0 == span.x1)
+            return;
+        if (pel_smooth_flat(smooth))
+            paint_flat(smooth, row->y, &span, row->coverage + i);
+        else
+            paint_colors(smooth, row->y, &span, row->coverage + i);
+    }
 }
 
 void pel_smooth_paint_batch(const struct pel_smooth *smooth,
@@ -150,7 +185,7 @@ void pel_smooth_paint_batch(const struct pel_smooth *smooth,
                                        b->count[0], full->x1 - full->x0,
                                        b->count[1], b->coverage};
     if (b->n > 0)
-        paint_row(smooth, &row);
+        pel_smooth_paint(smooth, &row);
 }
 
 #endif

@@ -40,11 +40,15 @@ struct pel_smooth_row {
     const uint8_t *coverage;   /* of the left ones, then the right ones */
 };
 
-/* Where flash is scarce there is one way for all rows, which is slower. */
+/* Where flash and stack are scarce there is one way for all rows, which is
+ * slower: functions have returned (PEL_SMOOTH_APART) when something is painted.
+ */
 #if PEL_SMALL_CODE || defined(__OPTIMIZE_SIZE__)
 #define PEL_SMOOTH_TINY 1
+#define PEL_SMOOTH_APART PEL_NOINLINE
 #else
 #define PEL_SMOOTH_TINY 0
+#define PEL_SMOOTH_APART inline
 #endif
 
 /* The room of a batch: rows, and bytes of coverage. */

@@ -22,19 +22,19 @@ static PEL_NOINLINE struct pel_smooth_place place_at(uint16_t angle,
 
 /* Sets the curve of a circle between two angles. Where both lie in one quadrant
  * it goes through that one alone, or around and back to it: five. */
-static PEL_NOINLINE void set_curve(struct pel_smooth_curve *curve,
+static PEL_NOINLINE void set_curve(struct pel_smooth_outline *o, int32_t i,
                                    struct pel_point center, struct pel_angles a,
                                    int32_t radius)
 {
+    struct pel_smooth_curve *const curve = &o->curve[i];
     const int32_t steps = ((a.to >> 14) - (a.from >> 14)) & 3;
     const bool back = (uint16_t)(a.to - a.from) > 16384;
     curve->center = center;
-    curve->from = place_at(a.from, radius);
-    curve->to = place_at(a.to, radius);
-    curve->first = (uint8_t)(a.from >> 14);
-    curve->count = (uint8_t)(steps == 0 && back ? 5 : steps + 1);
-    curve->hole = false;
-    pel_smooth_curve_set(curve, radius);
+    o->ends[i].from = place_at(a.from, radius);
+    o->ends[i].to = place_at(a.to, radius);
+    pel_smooth_circle_set(&curve->circle, radius);
+    curve->circle.first = (uint8_t)(a.from >> 14);
+    curve->circle.count = (uint8_t)(steps == 0 && back ? 5 : steps + 1);
 }
 
 /* An arc's outline: the outer circle, an end, the inner circle backwards, the
@@ -42,15 +42,19 @@ static PEL_NOINLINE void set_curve(struct pel_smooth_curve *curve,
 struct arc_outline {
     struct pel_smooth_lines lines; /* first */
     union {
-        struct pel_smooth_curve curve[4];
+        struct {
+            struct pel_smooth_curve curve[4];
+            struct pel_smooth_ends ends[4];
+        } round;
         struct {
             struct pel_smooth_curve curve[2];
+            struct pel_smooth_ends ends[2];
             struct pel_smooth_line line[2];
         } cut;
     } of;
 };
 
-static void set_half(struct pel_smooth_curve *curve,
+static void set_half(struct pel_smooth_outline *o, int32_t i,
                      const struct pel_arc_shape *arc, uint16_t angle,
                      uint16_t turn)
 {
@@ -60,7 +64,7 @@ static void set_half(struct pel_smooth_curve *curve,
                                  arc->center.y + ((m.y + 128) >> 8)};
     const struct pel_angles angles = {(uint16_t)(angle + turn),
                                       (uint16_t)(angle + turn + 32768)};
-    set_curve(curve, at, angles, (arc->outer - arc->inner) >> 1);
+    set_curve(o, i, at, angles, (arc->outer - arc->inner) >> 1);
 }
 
 /* The upright side that closes what rounding leaves open between curve k and
@@ -84,22 +88,25 @@ static bool find_joint(struct pel_smooth_outline *o, int32_t y, int32_t k,
     return pel_smooth_upright(c, y, end[c->rising].y, end[!c->rising].y);
 }
 
+static const struct pel_smooth_sides joints = {pel_smooth_cut, find_joint};
+
 static PEL_NOINLINE void set_outline(struct arc_outline *t,
                                      const struct pel_arc_shape *arc,
                                      struct pel_angles angles, bool round)
 {
     struct pel_smooth_outline *const o = &t->lines.outline;
-    struct pel_smooth_curve *const outer = t->of.curve;
-    struct pel_smooth_curve *const inner = outer + (round ? 2 : 1);
-    pel_smooth_lines_begin(&t->lines, outer, t->of.cut.line, false);
-    set_curve(outer, arc->center, angles, arc->outer);
-    set_curve(inner, arc->center, angles, arc->inner);
-    inner->hole = true;
+    const int32_t inner = round ? 2 : 1;
+    pel_smooth_lines_begin(&t->lines, t->of.cut.curve,
+                           round ? t->of.round.ends : t->of.cut.ends,
+                           t->of.cut.line, false);
+    set_curve(o, 0, arc->center, angles, arc->outer);
+    set_curve(o, inner, arc->center, angles, arc->inner);
+    o->curve[inner].circle.hole = true;
     if (round) {
         o->curves = o->count = 4;
-        o->other = find_joint;
-        set_half(outer + 1, arc, angles.to, 0);
-        set_half(outer + 3, arc, angles.from, 32768);
+        o->sides = &joints;
+        set_half(o, 1, arc, angles.to, 0);
+        set_half(o, 3, arc, angles.from, 32768);
     } else {
         pel_smooth_lines_add(&t->lines, pel_direction(angles.to), 0);
         pel_smooth_lines_add(&t->lines, pel_direction(angles.from), 1);
@@ -115,23 +122,26 @@ static void widen(struct pel_rect *box, int32_t x, int32_t y)
 }
 
 /* Pixels around a curve: its ends, and the axes that it passes. */
-static void add_box(struct pel_rect *box, const struct pel_smooth_curve *curve)
+static void add_box(struct pel_rect *box, const struct pel_smooth_outline *o,
+                    int32_t i)
 {
+    const struct pel_smooth_curve *const curve = &o->curve[i];
+    const struct pel_smooth_ends *const e = &o->ends[i];
     const struct pel_point c = curve->center;
-    const int32_t r = curve->circle.radius;
-    for (int32_t k = curve->first + 1; k < curve->first + curve->count; k++) {
+    const int32_t r = curve->circle.radius, first = curve->circle.first;
+    for (int32_t k = first + 1; k < first + curve->circle.count; k++) {
         const int32_t way = k & 2 ? -r : r;
         widen(box, c.x + (k & 1 ? 0 : way), c.y + (k & 1 ? way : 0));
     }
-    widen(box, c.x + (curve->from.x >> 8), c.y + (curve->from.y >> 8));
-    widen(box, c.x + (curve->to.x >> 8), c.y + (curve->to.y >> 8));
+    widen(box, c.x + (e->from.x >> 8), c.y + (e->from.y >> 8));
+    widen(box, c.x + (e->to.x >> 8), c.y + (e->to.y >> 8));
 }
 
 static struct pel_rect box_of(const struct pel_smooth_outline *o)
 {
     struct pel_rect box = {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
     for (int i = 0; i < o->curves; i++)
-        add_box(&box, &o->curve[i]);
+        add_box(&box, o, i);
     return (struct pel_rect){pel_pixel_of(box.x0 - 1), pel_pixel_of(box.y0 - 1),
                              pel_pixel_of(box.x1 + 1) + 1,
                              pel_pixel_of(box.y1 + 1) + 1};
@@ -166,7 +176,7 @@ static PEL_NOINLINE_32 bool begin(const struct pel_surface *surface,
         !pel_angles_set(&angles, arc->from, arc->to))
         return false;
     if (angles.from == angles.to) {
-        pel_smooth_round_set(o, t->of.curve, arc->center, arc->inner,
+        pel_smooth_round_set(o, t->of.cut.curve, arc->center, arc->inner,
                              arc->outer);
         return pel_smooth_round_begin(surface, o, paint);
     }

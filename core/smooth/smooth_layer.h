@@ -29,13 +29,18 @@ static inline const struct pel_flat *pel_smooth_flat(
     return paint->fill == pel_flat_fill ? (const void *)paint : NULL;
 }
 
-/* Sets alpha = round(alpha coverage / 255). */
+/* With alpha = round(alpha coverage / 255). */
+static inline pel_color pel_smooth_weighed(pel_color color, uint32_t coverage)
+{
+    return (color & UINT32_C(0xFFFFFF)) |
+           pel_round_div255(pel_alpha(color) * coverage) << 24;
+}
+
 static inline void pel_smooth_weigh(pel_color *colors, int32_t n,
                                     const uint8_t *coverage)
 {
     for (; n > 0; n--, colors++)
-        *colors = (*colors & UINT32_C(0xFFFFFF)) |
-                  pel_round_div255(pel_alpha(*colors) * *coverage++) << 24;
+        *colors = pel_smooth_weighed(*colors, *coverage++);
 }
 
 static inline void pel_smooth_set_colors(pel_color *colors, int32_t n,
@@ -63,5 +68,44 @@ static PEL_NOINLINE_32 PEL_UNUSED void pel_smooth_paint_full(
     if (pel_smooth_has_pixels(full, n))
         smooth->paint->fill(smooth->paint, &spans);
 }
+
+#if PEL_SMOOTH_TINY
+/* Pixels whose colors are weighed at a time. */
+enum { PEL_SMOOTH_PIXELS = PEL_SMALL_CODE ? 4 : 8 };
+
+/* What a paint is given to color so many pixels of a row at most. */
+struct pel_smooth_drawing {
+    struct pel_spans spans;
+    struct pel_smooth_surface buffer;
+    pel_color colors[PEL_SMOOTH_PIXELS];
+};
+
+void pel_smooth_drawing_begin(struct pel_smooth_drawing *drawing,
+                              const struct pel_smooth *smooth);
+void pel_smooth_drawing_end(struct pel_smooth_drawing *drawing,
+                            const uint8_t *coverage);
+
+/* Paints so many pixels of row y, with a coverage each, and full ones. For
+ * little stack the paint is called from the frame that has the drawing. */
+static PEL_ALWAYS_INLINE void pel_smooth_draw(
+    struct pel_smooth_drawing *drawing, const struct pel_smooth *smooth,
+    int32_t y, const struct pel_span *span, const uint8_t *coverage)
+{
+    drawing->spans = (struct pel_spans){smooth->target, span, y, 1, 0};
+    pel_smooth_drawing_begin(drawing, smooth);
+    if (!pel_smooth_flat(smooth))
+        smooth->paint->fill(smooth->paint, &drawing->spans);
+    pel_smooth_drawing_end(drawing, coverage);
+}
+
+static PEL_ALWAYS_INLINE void pel_smooth_draw_full(
+    struct pel_smooth_drawing *drawing, const struct pel_smooth *smooth,
+    int32_t y, const struct pel_span *span)
+{
+    drawing->spans = (struct pel_spans){smooth->target, span, y, 1, 0};
+    if (span->x0 < span->x1)
+        smooth->paint->fill(smooth->paint, &drawing->spans);
+}
+#endif
 
 #endif

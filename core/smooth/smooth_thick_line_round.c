@@ -7,6 +7,7 @@
 struct capsule {
     struct pel_smooth_lines lines; /* first */
     struct pel_smooth_curve curve[2];
+    struct pel_smooth_ends ends[2];
     struct pel_smooth_line line[2];
 };
 
@@ -35,17 +36,17 @@ static uint8_t quadrant_of(struct pel_smooth_place d)
 }
 
 /* The half of a circle from a place on clockwise. */
-static PEL_NOINLINE_32 void set_half(struct pel_smooth_curve *curve,
+static PEL_NOINLINE_32 void set_half(struct capsule *c, int32_t i,
                                      struct pel_smooth_place from,
                                      int32_t radius)
 {
-    curve->from = from;
-    curve->to.x = -from.x;
-    curve->to.y = -from.y;
-    curve->first = quadrant_of(from);
-    curve->count = 3;
-    curve->hole = false;
-    pel_smooth_curve_set(curve, radius);
+    struct pel_smooth_curve *const curve = &c->curve[i];
+    c->ends[i].from = from;
+    c->ends[i].to.x = -from.x;
+    c->ends[i].to.y = -from.y;
+    pel_smooth_circle_set(&curve->circle, radius);
+    curve->circle.first = quadrant_of(from);
+    curve->circle.count = 3;
 }
 
 /* From the upper end to the lower one, or from the left to the right; without
@@ -62,12 +63,12 @@ static PEL_NOINLINE void set_capsule(struct capsule *c,
     d.x += d.x == 0 && d.y == 0;
     const struct pel_smooth_place right = place_across(d, radius);
     const struct pel_smooth_place left = {-right.x, -right.y};
-    pel_smooth_lines_begin(&c->lines, c->curve, c->line,
+    pel_smooth_lines_begin(&c->lines, c->curve, c->ends, c->line,
                            pel_magnitude(d.x) > PEL_PX(32767));
     c->curve[0].center = a;
     c->curve[1].center = b;
-    set_half(&c->curve[0], left, radius);
-    set_half(&c->curve[1], right, radius);
+    set_half(c, 0, left, radius);
+    set_half(c, 1, right, radius);
     pel_smooth_lines_add(&c->lines, d, 0);
     pel_smooth_lines_add(&c->lines, d, 1);
 }

@@ -66,7 +66,9 @@ void pel_smooth_circle_set(struct pel_smooth_circle *c, int32_t radius)
     c->radius = radius;
     c->oval = NULL;
     c->reach = radius * 256;
-    c->down = 0;
+    c->down = c->first = 0;
+    c->count = 4;
+    c->hole = false;
     while (r >> c->down >= SMALL)
         c->down++;
     c->inverse = pel_divide(UINT32_C(1) << (20 + c->down), r);
@@ -168,8 +170,8 @@ static inline uint32_t chord_area(const struct pel_smooth_strip *s,
 }
 
 /* With what lies between the chord and the arc. */
-static PEL_HOT_LOOP uint32_t area_of(const struct pel_smooth_strip *s,
-                                     const struct pel_smooth_arc_piece *p)
+static inline uint32_t area_of(const struct pel_smooth_strip *s,
+                               const struct pel_smooth_arc_piece *p)
 {
     return chord_area(s, p) + (s->circle ? bulge_of(s, p) : 0);
 }
@@ -190,15 +192,20 @@ static inline int32_t height_at(const struct pel_smooth_strip *s, int32_t u)
     return pel_max(s->near, pel_min(v, s->far));
 }
 
-uint32_t pel_smooth_column_area(const struct pel_smooth_strip *s, int32_t u,
-                                struct pel_smooth_arc_piece *p)
+void pel_smooth_go_on(const struct pel_smooth_strip *s, int32_t u,
+                      struct pel_smooth_arc_piece *p)
 {
-    const int32_t end = u + 65536;
-    const bool first = u <= s->at_far, last = s->at_near <= end;
-    p->v0 = first ? s->far : p->u1 == u ? p->v1 : height_at(s, u);
-    p->u0 = first ? s->at_far : u;
-    p->u1 = last ? s->at_near : end;
-    p->v1 = last ? s->near : height_at(s, end);
+    if (p->u1 != u && u > s->at_far)
+        p->v1 = height_at(s, u);
+    p->u0 = pel_max(u, s->at_far);
+    p->v0 = u > s->at_far ? p->v1 : s->far;
+    p->u1 = pel_min(u + 65536, s->at_near);
+    p->v1 = p->u1 == s->at_near ? s->near : height_at(s, p->u1);
+}
+
+uint32_t pel_smooth_area(const struct pel_smooth_strip *s, int32_t u,
+                         const struct pel_smooth_arc_piece *p)
+{
     const uint32_t whole = (uint32_t)(p->u0 - u) >> 1;
     return (whole * (uint32_t)(s->far - s->near) >> 16) + area_of(s, p);
 }

@@ -40,13 +40,15 @@ struct pel_smooth_oval {
                       const struct pel_smooth_arc_piece *piece);
 };
 
-/* What belongs to a radius. */
+/* What belongs to a radius, and the quarters of its circle that a shape has. */
 struct pel_smooth_circle {
     int32_t radius;   /* 1/256 px */
     int32_t reach;    /* how far it is from the upright axis, 2^-16 px */
-    int32_t down;     /* bits of the radius beyond 40 px */
     uint32_t inverse; /* 2^(20 + down) / radius */
     const struct pel_smooth_oval *oval; /* or NULL */
+    uint8_t down;                       /* bits of the radius beyond 40 px */
+    uint8_t first, count; /* quadrants, clockwise; 0 begins at +x */
+    bool hole;            /* the outline goes backwards */
 };
 
 /* How much a line moves down, by how much it moves along x: rise 2^-15 times
@@ -62,11 +64,13 @@ struct pel_smooth_strip {
     int32_t near, far;       /* 0 <= near < far, at most a pixel more */
     int32_t at_near, at_far; /* where the arc is there */
 #if !PEL_SMOOTH_TINY
+#if !PEL_SMOOTH_TINY
     uint32_t bulge; /* as pel_smooth_strip_begin sets it */
+#endif
 #endif
 };
 
-/* Of a legal radius, and no oval. */
+/* All four quarters of a legal radius, forwards, and no oval. */
 void pel_smooth_circle_set(struct pel_smooth_circle *circle, int32_t radius);
 
 /* How far from one axis the arc is at a distance from the other, 1/256 px: see
@@ -105,11 +109,23 @@ static inline uint8_t pel_smooth_coverage(uint32_t sum)
     return (uint8_t)((((sum + 64) & 0xFFFF) * 255 + 16384 - 64 * 255) >> 15);
 }
 
-/* What lies between the axis and the arc in a column that it crosses, whose
- * inner boundary is at u. The piece is that of the column before, or has u1 =
- * INT32_MIN, and becomes that of this one. */
-uint32_t pel_smooth_column_area(const struct pel_smooth_strip *strip, int32_t u,
-                                struct pel_smooth_arc_piece *piece);
+/* Goes on to the piece of the column whose inner boundary is at u: from that of
+ * the column before, or one that has u1 = INT32_MIN. */
+void pel_smooth_go_on(const struct pel_smooth_strip *strip, int32_t u,
+                      struct pel_smooth_arc_piece *piece);
+
+/* What lies between the axis and a piece in its column. */
+uint32_t pel_smooth_area(const struct pel_smooth_strip *strip, int32_t u,
+                         const struct pel_smooth_arc_piece *piece);
+
+/* Both. */
+static inline uint32_t pel_smooth_column_area(
+    const struct pel_smooth_strip *strip, int32_t u,
+    struct pel_smooth_arc_piece *piece)
+{
+    pel_smooth_go_on(strip, u, piece);
+    return pel_smooth_area(strip, u, piece);
+}
 
 /* A side of a whole row, the columns that it crosses, and the bytes of their
  * coverage: none out of sight. */

@@ -38,10 +38,10 @@ static const struct pel_smooth_strip *strip_of(
 
 /* Puts a side where it is from left to right. One that does not cross a whole
  * row counts as too many. */
-static void place(struct pel_smooth_visitor *sides,
-                  struct pel_smooth_crossing *c)
+static void place(struct pel_smooth_visitor *sides)
 {
     struct sides *const s = (void *)sides;
+    const struct pel_smooth_crossing *const c = &sides->crossing;
     if (s->n >= MOST || !is_whole(c)) {
         s->n = MOST + 1;
         return;
@@ -120,7 +120,7 @@ static bool move_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
                 c->strip.bulge = pel_smooth_pixel_bulge(&c->strip);
             continue;
         }
-        if (!o->other(o, y, c->other, c) || !is_whole(c))
+        if (!o->sides->other(o, y, c->other, c) || !is_whole(c))
             return false;
         for (int32_t k = 0; k < s->n; k++)
             if (s->side[k].strip == &c->strip)
@@ -139,18 +139,18 @@ static void note(int32_t height, int32_t y, int32_t *end)
 
 /* Sides that are none of circles begin and end less than 4 sub-pixels from the
  * ends of curves. */
-static void note_curve(const struct pel_smooth_outline *o,
-                       const struct pel_smooth_curve *curve, int32_t y,
+static void note_curve(const struct pel_smooth_outline *o, int32_t i, int32_t y,
                        int32_t *end)
 {
+    const struct pel_smooth_curve *const curve = &o->curve[i];
     const int32_t top = curve->center.y, bottom = top + o->spread.y;
     note(top - curve->circle.radius, y, end);
     note(top, y, end);
     note(bottom, y, end);
     note(bottom + curve->circle.radius, y, end);
-    for (int32_t k = -4; o->cut && k <= 4; k += 8) {
-        note(top + (curve->from.y >> 8) + k, y, end);
-        note(top + (curve->to.y >> 8) + k, y, end);
+    for (int32_t k = -4; o->ends && k <= 4; k += 8) {
+        note(top + (o->ends[i].from.y >> 8) + k, y, end);
+        note(top + (o->ends[i].to.y >> 8) + k, y, end);
     }
 }
 
@@ -159,7 +159,7 @@ static int32_t find_end(const struct pel_smooth_outline *o, int32_t y)
 {
     int32_t end = INT32_MAX;
     for (int32_t i = 0; i < o->curves; i++)
-        note_curve(o, &o->curve[i], y, &end);
+        note_curve(o, i, y, &end);
     return end;
 }
 
