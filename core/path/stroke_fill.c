@@ -1,6 +1,8 @@
 /* The pixels of a stroke: one bit for each, set by piece after piece. Pieces
  * are convex, so a piece has one border on the left and one on the right of a
  * row, and what is inside of several is set once. */
+#include <string.h>
+
 #include "../base/divide.h"
 #include "../raster/collect.h"
 #include "../raster/edge.h"
@@ -13,12 +15,13 @@ struct border {
     int32_t left, right;
 };
 
+enum { BORDER = sizeof(struct border) / sizeof(uint32_t) };
+
 struct bits {
     struct pel_sides sides;
-    int32_t x0, x1;        /* columns */
-    struct border *border; /* of the piece, a row each */
-    uint32_t *bits;
-    int32_t words;       /* of a row */
+    int32_t x0, x1; /* columns */
+    uint32_t *rows;
+    int32_t words;       /* of a row: two are the piece's borders */
     int32_t most;        /* rows at a time */
     int32_t first, end;  /* rows of the piece */
     int32_t top, bottom; /* rows of all pieces */
@@ -27,6 +30,23 @@ struct bits {
 };
 
 typedef char pel_bits_fit[sizeof(struct bits) <= PEL_TAKER_SIZE ? 1 : -1];
+
+/* The borders of row y, and behind them its bits. */
+static inline uint32_t *row_at(const struct bits *b, int32_t y)
+{
+    return b->rows + (y - b->sides.y0) * b->words;
+}
+
+/* Empties rows that no piece has touched before. */
+static PEL_NOINLINE void take_rows(struct bits *b, int32_t first, int32_t end)
+{
+    if (b->top > b->bottom)
+        b->top = b->bottom = first;
+    while (b->top > first || b->bottom < end) {
+        const int32_t y = b->top > first ? --b->top : b->bottom++;
+        memset(row_at(b, y), 0, (size_t)b->words * 4);
+    }
+}
 
 /* Sides that go down are on the right. */
 static void take_side(struct bits *b, const struct pel_point *from,
@@ -37,14 +57,17 @@ static void take_side(struct bits *b, const struct pel_point *from,
     const struct pel_point *const bottom = down ? to : from;
     const int32_t first = pel_max(pel_first_pixel(top->y), b->sides.y0);
     const int32_t end = pel_min(pel_first_pixel(bottom->y), b->sides.y1);
-    struct border *border = b->border + (first - b->sides.y0);
+    uint32_t *row = row_at(b, first);
     struct pel_edge *const edge = &b->edge;
     if (first >= end)
         return;
+    if (first < b->top || end > b->bottom)
+        take_rows(b, first, end);
     b->first = pel_min(b->first, first);
     b->end = pel_max(b->end, end);
     pel_edge_start(edge, top, bottom, first);
-    for (int32_t n = end - first; n > 0; n--, border++) {
+    for (int32_t n = end - first; n > 0; n--, row += b->words) {
+        struct border *const border = (struct border *)row;
         if (down)
             border->right = pel_max(border->right, edge->x - b->x0);
         else
@@ -76,23 +99,21 @@ static void set_bits(uint32_t *row, int32_t x0, int32_t x1)
 }
 
 /* What the piece covers of a row, whose borders are forgotten. */
-static void set_row(struct bits *b, int32_t row)
+static void set_row(const struct bits *b, uint32_t *row)
 {
-    struct border *const border = b->border + row;
+    struct border *const border = (struct border *)row;
     const int32_t width = b->x1 - b->x0;
     const int32_t x0 = pel_max(width - border->left, 0);
     const int32_t x1 = pel_min(border->right, width);
     if (x0 < x1)
-        set_bits(b->bits + row * b->words, x0, x1);
+        set_bits(row + BORDER, x0, x1);
     border->left = border->right = 0;
 }
 
 static PEL_NOINLINE_32 void set_rows(struct bits *b)
 {
-    b->top = pel_min(b->top, b->first);
-    b->bottom = pel_max(b->bottom, b->end);
     for (int32_t y = b->first; y < b->end; y++)
-        set_row(b, y - b->sides.y0);
+        set_row(b, row_at(b, y));
     b->first = INT32_MAX;
     b->end = INT32_MIN;
 }
@@ -117,9 +138,8 @@ static struct bits *begin(void *memory, const struct pel_rect *clip,
     b->sides.y1 = clip->y0;
     b->x0 = clip->x0;
     b->x1 = clip->x1;
-    b->words = (b->x1 - b->x0 + 31) >> 5;
-    b->border =
-        (struct border *)(void *)((char *)b + PEL_STROKE_SCRATCH_SIZE(0, 0));
+    b->words = BORDER + ((b->x1 - b->x0 + 31) >> 5);
+    b->rows = (uint32_t *)(void *)((char *)b + PEL_STROKE_SCRATCH_SIZE(0, 0));
     b->most = most;
     b->first = INT32_MAX;
     b->end = INT32_MIN;
@@ -135,9 +155,6 @@ static PEL_NOINLINE bool next_rows(struct bits *b, const struct pel_rect *clip)
     pel_sides_set_rows(&b->sides, y, y + n);
     b->top = y + n;
     b->bottom = y;
-    b->bits = (uint32_t *)(void *)(b->border + n);
-    for (int32_t i = -2 * n; i < n * b->words; i++)
-        b->bits[i] = 0; /* and the borders before them */
     return true;
 }
 
@@ -153,9 +170,7 @@ static int32_t next_change(const uint32_t *row, int32_t from, int32_t end,
         }
         for (; !(word & 255); word >>= 8)
             from += 8;
-        for (; !(word & 1); word >>= 1)
-            from++;
-        return from;
+        return from + pel_trailing_zeros(word);
     }
     return end;
 }
@@ -165,7 +180,7 @@ static PEL_NOINLINE void paint_rows(const struct bits *b,
                                     const struct pel_paint *paint)
 {
     const int32_t left = b->x0, width = b->x1 - left;
-    const uint32_t *row = b->bits + (b->top - b->sides.y0) * b->words;
+    const uint32_t *row = row_at(b, b->top) + BORDER;
     struct pel_collector c;
     pel_collect_begin(&c, surface, paint);
     for (int32_t y = b->top; y < b->bottom; y++, row += b->words)
@@ -229,5 +244,6 @@ bool pel_stroke_hit(const struct pel_lines *lines, int32_t x, int32_t y)
     const struct pel_rect pixel = {x, y, x + 1, y + 1};
     struct bits *const b = begin(memory, &pixel, 1);
     return next_rows(b, &pixel) &&
-           pel_stroke_walk(lines, &b->sides) == PEL_OK && *b->bits;
+           pel_stroke_walk(lines, &b->sides) == PEL_OK && b->top < b->bottom &&
+           b->rows[BORDER];
 }

@@ -110,8 +110,6 @@ enum pel_status pel_stroker_draw(struct pel_pen *pen, enum pel_verb verb,
     struct pel_stroker *const s = (struct pel_stroker *)(void *)pen;
     if (verb != PEL_CLOSE && p && !pel_stroker_takes(s, p))
         return PEL_ERROR_RANGE;
-    pen->bottom =
-        pen->sides->bottom + s->reach; /* rows may have been cut off */
     if (verb == PEL_LINE)
         line_to(s, p);
     else if (verb == PEL_CLOSE)
