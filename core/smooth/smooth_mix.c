@@ -74,13 +74,32 @@ static struct ink ink_of(pel_color color, const struct pel_format *format)
     return ink;
 }
 
-/* A word of four bytes, mixed two at once. */
+/* Bytes 0, 2, 1 and 3 of a word, in 16 bits each. */
+static PEL_ALWAYS_INLINE uint64_t spread(uint32_t v)
+{
+    return (v | (uint64_t)v << 24) & UINT64_C(0xFF00FF00FF00FF);
+}
+
+static PEL_ALWAYS_INLINE uint32_t mixed_64(uint32_t below, uint32_t weight,
+                                           uint32_t above)
+{
+    uint64_t v = spread(below) * (255 - weight) + spread(above) * weight;
+    v += UINT64_C(0x80008000800080);
+    v += v >> 8 & UINT64_C(0xFF00FF00FF00FF);
+    return ((uint32_t)(v >> 8) & UINT32_C(0xFF00FF)) |
+           ((uint32_t)(v >> 32) & UINT32_C(0xFF00FF00));
+}
+
+/* A word of four bytes, mixed two at once, or all. */
 static PEL_ALWAYS_INLINE uint32_t mixed_32(uint32_t below, uint32_t weight,
-                                           uint32_t even, uint32_t odd)
+                                           uint32_t above)
 {
     const uint32_t m = UINT32_C(0xFF00FF), rest = 255 - weight;
-    even = (below & m) * rest + even * weight + 0x800080;
-    odd = (below >> 8 & m) * rest + odd * weight + 0x800080;
+    if (PEL_64BIT)
+        return mixed_64(below, weight, above);
+    uint32_t even = (below & m) * rest + (above & m) * weight + 0x800080;
+    uint32_t odd =
+        (below >> 8 & m) * rest + (above >> 8 & m) * weight + 0x800080;
     even += even >> 8 & m;
     odd += odd >> 8 & m;
     return (even >> 8 & m) | (odd & ~m);
@@ -92,8 +111,6 @@ static PEL_NOINLINE void mix_words(const struct pel_surface *s,
                                    pel_color color)
 {
     const uint32_t pixel = s->format->pack(color), unused = s->format->pack(0);
-    const uint32_t even = pixel & UINT32_C(0xFF00FF);
-    const uint32_t odd = pixel >> 8 & UINT32_C(0xFF00FF);
     const uint32_t alpha = pel_alpha(color);
     const uint8_t *coverage = runs->coverage;
     uintptr_t line = pel_column_zero(s, runs->y, 4);
@@ -102,9 +119,11 @@ static PEL_NOINLINE void mix_words(const struct pel_surface *s,
         pel_word32 *p =
             (pel_word32 *)(line + 4 * (uintptr_t)(runs->x[i] - back));
         for (const uint8_t *const end = coverage + n; coverage < end; p++) {
-            const uint32_t weight = pel_round_div255(*coverage++ * alpha);
+            uint32_t weight = *coverage++;
+            if (alpha != 255)
+                weight = pel_round_div255(weight * alpha);
             if (weight > 0)
-                *p = mixed_32(*p, weight, even, odd) | unused;
+                *p = mixed_32(*p, weight, pixel) | unused;
         }
         if (i & 1)
             line += (uintptr_t)(ptrdiff_t)(s->stride * runs->step);
@@ -179,11 +198,9 @@ static void mix_32(uintptr_t at, int32_t n, const pel_color *colors,
     for (pel_word32 *const end = p + n; p < end; p++) {
         const pel_color color = *colors++;
         const uint32_t weight = weight_of(color, *coverage++);
-        const uint32_t even = color & UINT32_C(0xFF00FF), odd = color >> 8;
         if (weight > 0)
-            *p = PEL_LE32(
-                mixed_32(PEL_LE32(*p), weight, even, odd & UINT32_C(0xFF00FF)) |
-                UINT32_C(0xFF000000));
+            *p = PEL_LE32(mixed_32(PEL_LE32(*p), weight, color) |
+                          UINT32_C(0xFF000000));
     }
 }
 
