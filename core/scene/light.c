@@ -136,12 +136,21 @@ pel_cosine pel_cosine_power(pel_cosine v, int32_t n)
     return (pel_cosine)result;
 }
 
+/* pel_weighted, inlined where pixels need it and code may be long. */
+static inline int32_t cosine_of(const pel_cosine a[3], const pel_cosine b[3])
+{
+#if PEL_LONG_MULTIPLY && !defined(__OPTIMIZE_SIZE__)
+    return (int32_t)((pel_dot(a, b) + (1 << 29)) >> 30);
+#else
+    return pel_weighted(a, b);
+#endif
+}
+
 /* R.V = 2 (N.L) (N.V) - L.V, in halves, which fit. */
 pel_cosine pel_light_reflected(pel_cosine towards[3][3], pel_cosine nl)
 {
-    const int32_t half =
-        pel_scaled(nl, pel_weighted(towards[0], towards[1]), 30) -
-        (pel_weighted(towards[2], towards[1]) >> 1);
+    const int32_t half = pel_scaled(nl, cosine_of(towards[0], towards[1]), 30) -
+                         (cosine_of(towards[2], towards[1]) >> 1);
     return 2 * pel_max(pel_min(half, PEL_COSINE_ONE / 2), 0);
 }
 
@@ -170,7 +179,7 @@ void pel_light_add(const struct pel_mesh_lights *lights,
                    const struct pel_mesh_light *light, pel_cosine towards[3][3],
                    struct pel_light_sum *sum)
 {
-    const pel_cosine nl = pel_weighted(towards[0], towards[2]);
+    const pel_cosine nl = cosine_of(towards[0], towards[2]);
     if (nl > 0)
         add(sum->surface, light->diffuse, nl);
     else if (lights->lighting->no_back_highlights)

@@ -43,8 +43,8 @@ const struct pel_paint *pel_frame_modulate(
 {
     if ((color[0] & color[1] & color[2]) == UINT32_C(0xFFFFFFFF))
         return &surface->paint;
-    struct pel_shaded *p =
-        pel_shaded_start(frame, surface, pel_modulated_pixel, PEL_AT_COLOR);
+    struct pel_shaded *p = pel_shaded_start(frame, surface, color,
+                                            pel_modulated_pixel, PEL_AT_COLOR);
     pel_color_planes(frame, color, pel_value_plane);
     return &p->base.paint;
 }

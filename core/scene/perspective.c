@@ -142,7 +142,8 @@ static const struct pel_paint *gouraud(struct pel_frame *frame,
     static const struct pel_color_paint none = PEL_COLOR_PAINT(white, true);
     if (!is_deep(frame, range_of(color)))
         return pel_frame_gouraud_paint(frame, surface, color);
-    pel_shaded_start(frame, &surface_there, pel_modulated_pixel, PEL_AT_COLOR);
+    pel_shaded_start(frame, &surface_there, color, pel_modulated_pixel,
+                     PEL_AT_COLOR);
     const struct pel_paint *paint =
         divide(frame, surface ? surface : &none, SPAN);
     pel_color_planes(frame, color, set_value);
@@ -155,7 +156,8 @@ static const struct pel_paint *phong(struct pel_frame *frame,
 {
     if (!is_deep(frame, CHANGE_OF_LIGHT))
         return pel_phong_paint(frame, surface, color);
-    pel_shaded_start(frame, surface ? &surface_there : NULL, pel_lit_pixel, 0);
+    pel_shaded_start(frame, surface ? &surface_there : NULL, color,
+                     pel_lit_pixel, 0);
     const struct pel_paint *paint = divide(frame, surface, PEL_SPAN_EXACT);
     pel_phong_values(frame, color, set_value);
     return paint;

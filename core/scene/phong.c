@@ -10,7 +10,7 @@ void pel_phong_values(struct pel_frame *frame, const pel_color color[3],
         const int32_t at[3] = {value[0][k], value[1][k], value[2][k]};
         set(frame, k, at);
     }
-    if (!frame->work->paint.shaded.surface)
+    if (frame->work->paint.shaded.end == PEL_VALUES)
         pel_color_planes(frame, color, set);
 }
 
@@ -18,7 +18,8 @@ const struct pel_paint *pel_phong_paint(struct pel_frame *frame,
                                         const struct pel_color_paint *surface,
                                         const pel_color color[3])
 {
-    struct pel_shaded *p = pel_shaded_start(frame, surface, pel_lit_pixel, 0);
+    struct pel_shaded *p =
+        pel_shaded_start(frame, surface, color, pel_lit_pixel, 0);
     pel_phong_values(frame, color, pel_value_plane);
     return &p->base.paint;
 }

@@ -1,9 +1,16 @@
 #include "shaded.h"
 
+/* One walk serves all functions where code is to be short. */
+#if defined(__OPTIMIZE_SIZE__) || PEL_SMALL_CODE
+enum { SHORT = 1 };
+#else
+enum { SHORT = 0 };
+#endif
+
 pel_color pel_lit_pixel(const struct pel_shaded *paint,
                         int32_t value[PEL_VALUES], pel_color under)
 {
-    if (paint->surface)
+    if (paint->end == PEL_AT_COLOR)
         pel_color_values(under, value);
     return pel_lit_color(paint->lights, value);
 }
@@ -46,13 +53,13 @@ static PEL_ALWAYS_INLINE void walk(const struct pel_shaded *p,
         at[k] = pel_plane_at(&p->plane[k], from.x, from.y);
     for (; n > 0; n--, out++) {
         const uint32_t alpha = pel_round_div255(pel_alpha(*out) * p->alpha);
-        if (PEL_SMALL_CODE)
+        if (SHORT) {
             step(p, at, value, p->first, p->end);
-        if (!PEL_SMALL_CODE && !modulates) {
+        } else if (!modulates) {
             step(p, at, value, PEL_AT_NORMAL, PEL_AT_POSITION);
             step(p, at, value, PEL_AT_POSITION, PEL_AT_COLOR);
         }
-        if (!PEL_SMALL_CODE && (modulates || p->end == PEL_VALUES))
+        if (!SHORT && (modulates || p->end == PEL_VALUES))
             step(p, at, value, PEL_AT_COLOR, PEL_VALUES);
         *out = pixel(p, value, *out) | alpha << 24;
     }
@@ -63,7 +70,7 @@ static PEL_NOINLINE void shade(const struct pel_shaded *p, int32_t x, int32_t y,
                                int32_t n, pel_color *out)
 {
     const struct pel_point from = {x, y};
-    if (!PEL_SMALL_CODE && p->pixel == pel_modulated_pixel)
+    if (!SHORT && p->pixel == pel_modulated_pixel)
         walk(p, from, n, out, pel_modulated_pixel); /* inlined */
     else
         walk(p, from, n, out, p->pixel);
@@ -77,6 +84,6 @@ void pel_shaded_colors(const struct pel_color_paint *paint, int32_t x,
         p->surface->colors(p->surface, x, y, n, out);
     else
         for (int32_t i = 0; i < n; i++)
-            out[i] = UINT32_C(0xFF000000);
+            out[i] = p->under;
     shade(p, x, y, n, out);
 }

@@ -19,19 +19,20 @@ typedef pel_color pel_pixel_function(const struct pel_shaded *paint,
                                      int32_t value[PEL_VALUES],
                                      pel_color under);
 
-/* The surface, or the colors to 1/256 step, in the light; and the surface times
- * the colors. */
+/* The surface, or colors that have planes, to 1/256 step, in the light; and the
+ * surface times the colors. */
 pel_pixel_function pel_lit_pixel, pel_modulated_pixel;
 
 /* The planes hold over the triangle, or, where values are divided
  * (perspective.h), over the pixels at hand. */
 struct pel_shaded {
     struct pel_color_paint base;
-    const struct pel_color_paint *surface; /* NULL: black */
+    const struct pel_color_paint *surface; /* NULL: of the color `under` */
     const struct pel_mesh_lights *lights;
     pel_pixel_function *pixel;
     uint8_t first, end; /* the values that have planes */
     uint8_t alpha;      /* multiplies that of the surface */
+    pel_color under;
     struct pel_plane plane[PEL_VALUES];
 };
 

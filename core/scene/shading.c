@@ -25,15 +25,23 @@ void pel_frame_plane(struct pel_frame *frame, const int32_t value[3],
     pel_plane_set(plane, pel_frame_setup(frame), t->is_whole ? value : corner);
 }
 
+static bool is_one_color(const pel_color c[3])
+{
+    return c[0] == c[1] && c[1] == c[2];
+}
+
 struct pel_shaded *pel_shaded_start(struct pel_frame *frame,
                                     const struct pel_color_paint *surface,
+                                    const pel_color color[3],
                                     pel_pixel_function *pixel, int first)
 {
     struct pel_shaded *p = &frame->work->paint.shaded;
     pel_color_paint_init(&p->base, pel_shaded_colors, frame->opaque);
     p->pixel = pixel;
     p->first = (uint8_t)first;
-    p->end = surface && !first ? PEL_AT_COLOR : PEL_VALUES;
+    p->end =
+        !first && (surface || is_one_color(color)) ? PEL_AT_COLOR : PEL_VALUES;
+    p->under = color[0] | UINT32_C(0xFF000000);
     p->lights = &frame->lights;
     p->surface = surface;
     p->alpha = frame->alpha;
@@ -82,7 +90,7 @@ void pel_frame_gouraud(struct pel_frame *frame, const pel_color color[3],
 static pel_color mean_of(const pel_color c[3])
 {
     pel_color mean = 0;
-    if (c[0] == c[1] && c[1] == c[2])
+    if (is_one_color(c))
         return c[0];
     for (int k = 0; k < 32; k += 8) {
         const uint32_t sum =

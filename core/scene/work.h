@@ -86,6 +86,7 @@ struct pel_point pel_frame_corner_at(const struct pel_frame *frame,
  * values from `first` on. */
 struct pel_shaded *pel_shaded_start(struct pel_frame *frame,
                                     const struct pel_color_paint *surface,
+                                    const pel_color color[3],
                                     pel_pixel_function *pixel, int first);
 
 /* Sets the plane of value k of it, from those at the triangle's vertices: this
