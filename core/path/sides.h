@@ -38,10 +38,12 @@ enum {
 };
 
 /* Of a smooth painter, in bytes: before the edges, which are aligned to 8,
- * there are the pens, whose memory is the caller's where the walk has none. */
+ * there are the pens, whose memory is the caller's where the walk has none; the
+ * end of it is used while pixels are painted, when all walks have ended. */
 enum {
     PEL_SMOOTH_EDGES_AT = PEL_SMOOTH_PATH_SCRATCH_SIZE(0, 0) - sizeof(int32_t),
-    PEL_SMOOTH_PENS_AT = PEL_SMOOTH_EDGES_AT - PEL_PENS_SIZE
+    PEL_SMOOTH_PENS_AT = PEL_SMOOTH_EDGES_AT - PEL_PENS_SIZE,
+    PEL_SMOOTH_PAINT_AT = PEL_SMOOTH_EDGES_AT - 26 * sizeof(void *)
 };
 
 /* What makes them: walks all of an outline. PEL_ERROR_SCRATCH: there was no

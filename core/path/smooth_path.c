@@ -11,6 +11,13 @@ struct smooth {
     struct pel_point to;    /* where the latest side ends */
 };
 
+#if PEL_SMOOTH_TINY
+typedef char
+    pel_smooth_paint_fits[sizeof(struct pel_smooth_drawing) <=
+                                  PEL_SMOOTH_EDGES_AT - PEL_SMOOTH_PAINT_AT
+                              ? 1
+                              : -1];
+#endif
 typedef char
     pel_smooth_path_fits[sizeof(struct smooth) <= PEL_SMOOTH_PENS_AT ? 1 : -1];
 
@@ -79,6 +86,9 @@ enum pel_status pel_sides_begin_smooth(const struct pel_surface *surface,
     s->painter.sides.memory = (char *)s + PEL_SMOOTH_PENS_AT;
     s->painter.sides.in_piece = false;
     pel_sides_set_clip(&s->painter, clip);
+#if PEL_SMOOTH_TINY
+    s->sweep.drawing = (void *)((char *)s + PEL_SMOOTH_PAINT_AT);
+#endif
     if (pel_smooth_begin(&s->sweep.smooth, surface, p))
         pel_smooth_sweep_begin(&s->sweep, (char *)s + PEL_SMOOTH_EDGES_AT, room,
                                rule);

@@ -11,7 +11,7 @@ PEL_BEGIN_DECLS
  * surface whose clip is `width` px wide. A stroke has about 8 for each line
  * that touches a row, with round joins of 2 px, and 20 of 10 px. */
 #define PEL_SMOOTH_PATH_SCRATCH_SIZE(sides, width) \
-    (PEL_SMOOTH_POLYGON_SCRATCH_SIZE(sides, width) + 116 * sizeof(void *))
+    (PEL_SMOOTH_POLYGON_SCRATCH_SIZE(sides, width) + 88 * sizeof(void *))
 
 /* What the functions of path.h draw, each pixel by the part of it that is
  * inside, as pel_smooth_polygon does: within .5 + .02 k of 255, where k pieces

@@ -2,14 +2,22 @@
 
 #include "smooth_sweep.h"
 
-typedef char
-    pel_smooth_polygon_fits[PEL_SMOOTH_POLYGON_SCRATCH_SIZE(1, 0) >=
-                                        sizeof(struct pel_smooth_sweep) +
-                                            sizeof(struct pel_smooth_edge) +
-                                            sizeof(int32_t) + 4 &&
-                                    sizeof(struct pel_smooth_sweep) % 8 == 0
-                                ? 1
-                                : -1];
+/* Of the scratch memory, before the edges, which are aligned to 8. */
+enum { HEAD = PEL_SMOOTH_POLYGON_SCRATCH_SIZE(0, 0) - sizeof(int32_t) };
+
+#if PEL_SMOOTH_TINY
+enum { DRAWING = sizeof(struct pel_smooth_drawing) };
+#else
+enum { DRAWING = 0 };
+#endif
+
+typedef char pel_smooth_polygon_fits
+    [sizeof(struct pel_smooth_sweep) + DRAWING <= HEAD &&
+             PEL_SMOOTH_POLYGON_SCRATCH_SIZE(1, 0) -
+                     PEL_SMOOTH_POLYGON_SCRATCH_SIZE(0, 0) >=
+                 sizeof(struct pel_smooth_edge) + sizeof(int32_t)
+         ? 1
+         : -1];
 
 size_t pel_smooth_polygon_scratch_size(int32_t n, int32_t width)
 {
@@ -70,7 +78,11 @@ enum pel_status pel_smooth_polygon(const struct pel_surface *surface,
     if (status != PEL_OK || !pel_smooth_begin(&w->smooth, surface, paint) ||
         pel_rect_empty(&surface->clip) || is_beside(&surface->clip, polygon))
         return status;
-    pel_smooth_sweep_begin(w, w + 1, polygon->n, polygon->rule);
+#if PEL_SMOOTH_TINY
+    w->drawing = (void *)(w + 1);
+#endif
+    pel_smooth_sweep_begin(w, (char *)scratch + HEAD, polygon->n,
+                           polygon->rule);
     pel_smooth_sweep_set_rows(w, surface->clip.y0, surface->clip.y1);
     add_edges(w, polygon);
     pel_smooth_sweep_paint(w);

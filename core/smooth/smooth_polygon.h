@@ -13,7 +13,7 @@ PEL_BEGIN_DECLS
  */
 #define PEL_SMOOTH_POLYGON_SCRATCH_SIZE(n, width)                   \
     (PEL_CAST(size_t, n) * 52 + (PEL_CAST(size_t, width) + 1) * 4 + \
-     24 * sizeof(void *))
+     52 * sizeof(void *))
 size_t pel_smooth_polygon_scratch_size(int32_t n, int32_t width);
 
 /* Paints every pixel by the part of it that is inside, by the rule of the

@@ -4,16 +4,18 @@
 #define PEL_SMOOTH_SMOOTH_SWEEP_H
 
 #include "../raster/polygon.h"
-#include "smooth.h"
 #include "smooth_edge.h"
+#include "smooth_layer.h"
 
 /* The units of a row's height, 2^-16 px, in which it is cut; and pixels that
  * are painted at a time, beside full ones. */
 enum {
     PEL_SMOOTH_ROW = 65536,
-    PEL_SMOOTH_SWEEP_PIXELS = PEL_64BIT        ? 64
-                              : PEL_SMALL_CODE ? 8
-                                               : 16
+#if PEL_SMOOTH_TINY
+    PEL_SMOOTH_SWEEP_PIXELS = PEL_SMOOTH_PIXELS
+#else
+    PEL_SMOOTH_SWEEP_PIXELS = PEL_64BIT ? 64 : 16
+#endif
 };
 
 struct pel_smooth_edge {
@@ -43,6 +45,10 @@ struct pel_smooth_sweep {
     int32_t area;    /* of the pixel up to which it has been taken */
     struct pel_smooth_row row; /* pixels of it that are painted next */
     uint8_t coverage[PEL_SMOOTH_SWEEP_PIXELS];
+#if PEL_SMOOTH_TINY
+    struct pel_span span;
+    struct pel_smooth_drawing *drawing; /* memory for one */
+#endif
 };
 
 /* After pel_smooth_begin of w->smooth: with memory for the edges and the row,

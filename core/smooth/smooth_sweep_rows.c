@@ -127,13 +127,32 @@ static PEL_NOINLINE_32 int32_t find_pixels(struct pel_smooth_sweep *w)
     return x;
 }
 
+#if PEL_SMOOTH_TINY
+/* For little stack the paint is called from the frame of the row. */
+static PEL_ALWAYS_INLINE void paint_pixels(struct pel_smooth_sweep *w)
+{
+    const int32_t x = w->row.x, full = x + w->row.left;
+    w->span = (struct pel_span){x, full};
+    if (w->row.left > 0)
+        pel_smooth_draw(w->drawing, &w->smooth, w->row.y, &w->span,
+                        w->coverage);
+    w->span = (struct pel_span){full, full + w->row.full};
+    pel_smooth_draw_full(w->drawing, &w->smooth, w->row.y, &w->span);
+}
+#else
+static void paint_pixels(const struct pel_smooth_sweep *w)
+{
+    pel_smooth_paint(&w->smooth, &w->row);
+}
+#endif
+
 static PEL_NOINLINE_32 void paint_row(struct pel_smooth_sweep *w)
 {
     w->area = 1 << 21;
     w->row.x = w->lo;
     while (has_more(w, w->row.x)) {
         const int32_t next = find_pixels(w);
-        pel_smooth_paint(&w->smooth, &w->row);
+        paint_pixels(w);
         w->row.x = next;
     }
     w->sum[w->row.x - w->smooth.target->clip.x0] = 0;

@@ -64,7 +64,7 @@ TEST(smooth_scratch_size)
     if (sizeof(size_t) > 4)
         assert_true(pel_smooth_polygon_scratch_size(INT32_MAX, INT32_MAX) ==
                     (size_t)INT32_MAX * 52 + ((size_t)INT32_MAX + 1) * 4 +
-                        24 * sizeof(void *));
+                        52 * sizeof(void *));
     assert_int_equal(pel_smooth_polygon(&hits.surface, &shape, &hits.paint,
                                         memory, need - 1),
                      PEL_ERROR_SCRATCH);
