@@ -37,14 +37,19 @@ static inline uint32_t *row_at(const struct bits *b, int32_t y)
     return b->rows + (y - b->sides.y0) * b->words;
 }
 
-/* Empties rows that no piece has touched before. */
+/* Empties rows that no piece has touched before. Small programs do not link
+ * memset for it. */
 static PEL_NOINLINE void take_rows(struct bits *b, int32_t first, int32_t end)
 {
     if (b->top > b->bottom)
         b->top = b->bottom = first;
     while (b->top > first || b->bottom < end) {
         const int32_t y = b->top > first ? --b->top : b->bottom++;
-        memset(row_at(b, y), 0, (size_t)b->words * 4);
+        uint32_t *const row = row_at(b, y);
+        if (PEL_64BIT)
+            memset(row, 0, (size_t)b->words * 4);
+        for (int32_t i = 0; !PEL_64BIT && i < b->words; i++)
+            row[i] = 0;
     }
 }
 
