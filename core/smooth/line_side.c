@@ -5,7 +5,7 @@
 bool pel_smooth_cut(const struct pel_smooth_outline *o, int32_t i, int32_t k,
                     bool upright, struct pel_smooth_strip *s)
 {
-    const struct pel_smooth_ends *const e = &o->ends[i];
+    const struct pel_smooth_ends *const e = pel_smooth_ends_of(o, i);
     for (int32_t last = 0; last < 2; last++) {
         const struct pel_smooth_place *const p = last ? &e->to : &e->from;
         const int32_t v = pel_magnitude(p->y), u = pel_magnitude(p->x);
@@ -29,7 +29,7 @@ static PEL_NOINLINE_32 void set_place(struct pel_smooth_far_place *far,
                                       int32_t k, bool last)
 {
     const struct pel_smooth_curve *const curve = &o->curve[k];
-    const struct pel_smooth_ends *const ends = &o->ends[k];
+    const struct pel_smooth_ends *const ends = pel_smooth_ends_of(o, k);
     const struct pel_smooth_place *const p =
         last == curve->circle.hole ? &ends->from : &ends->to;
     far->x = (int64_t)curve->center.x * 256 + p->x;
@@ -145,7 +145,7 @@ void pel_smooth_lines_begin(struct pel_smooth_lines *lines,
     lines->wide = wide;
     o->curve = curve;
     o->curves = 2;
-    o->ends = ends;
+    lines->ends = ends;
     o->sides = &line_sides;
     o->count = 0;
     o->mirrored = false;

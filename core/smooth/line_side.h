@@ -4,6 +4,15 @@
 
 #include "outline.h"
 
+struct pel_smooth_place {
+    int32_t x, y; /* 2^-16 px from a centre */
+};
+
+/* Where a part of a circle begins and ends, clockwise. */
+struct pel_smooth_ends {
+    struct pel_smooth_place from, to;
+};
+
 /* A place in 2^-16 px. */
 struct pel_smooth_far_place {
     int64_t x, y;
@@ -32,9 +41,16 @@ bool pel_smooth_cut(const struct pel_smooth_outline *outline, int32_t i,
 /* An outline of two curves and the lines between them. */
 struct pel_smooth_lines {
     struct pel_smooth_outline outline; /* first */
+    struct pel_smooth_ends *ends;      /* of each curve */
     struct pel_smooth_line *line;
     bool wide; /* a row may hold more than the range of a strip */
 };
+
+static inline struct pel_smooth_ends *pel_smooth_ends_of(
+    const struct pel_smooth_outline *outline, int32_t i)
+{
+    return ((const struct pel_smooth_lines *)(const void *)outline)->ends + i;
+}
 
 /* Begins it with two curves, which the caller sets, and no line yet. */
 void pel_smooth_lines_begin(struct pel_smooth_lines *lines,

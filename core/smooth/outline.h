@@ -8,15 +8,6 @@
 #include "smooth.h"
 #include "strip.h"
 
-struct pel_smooth_place {
-    int32_t x, y; /* 2^-16 px from a centre */
-};
-
-/* Where a part of a circle begins and ends, clockwise. */
-struct pel_smooth_ends {
-    struct pel_smooth_place from, to;
-};
-
 /* A circle, or a part of one. */
 struct pel_smooth_curve {
     struct pel_point center;
@@ -53,7 +44,6 @@ struct pel_smooth_outline {
     struct pel_rect seen;     /* px */
     struct pel_point spread;  /* of a rounded rectangle's corners, 1/256 px */
     struct pel_smooth_curve *curve;
-    struct pel_smooth_ends *ends;         /* of each curve, where it has some */
     const struct pel_smooth_sides *sides; /* NULL: circles alone */
     int32_t row;                          /* that curves were at last */
     uint8_t curves, count;                /* of sides that are no curves */

@@ -71,7 +71,8 @@ static PEL_SMOOTH_APART bool pel_smooth_find_quarter(
     c->left = quadrant == 1 || quadrant == 2;
     c->rising = c->left != curve->circle.hole;
     c->center = c->left ? -curve->center.x : curve->center.x + o->spread.x;
-    return !o->ends || o->sides->cut(o, i, k, quadrant & 1, s);
+    return !o->sides || !o->sides->cut ||
+           o->sides->cut(o, i, k, quadrant & 1, s);
 }
 
 /* Takes the crossing that is set. */

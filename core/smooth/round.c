@@ -15,7 +15,6 @@ void pel_smooth_round_set(struct pel_smooth_outline *o,
     o->spread.x = o->spread.y = 0;
     o->curve = curve;
     o->curves = inner > 0 ? 2 : 1;
-    o->ends = NULL;
     o->sides = NULL;
     o->count = 0;
     set_circle(curve, center, outer, false);

@@ -30,8 +30,8 @@ static PEL_NOINLINE void set_curve(struct pel_smooth_outline *o, int32_t i,
     const int32_t steps = ((a.to >> 14) - (a.from >> 14)) & 3;
     const bool back = (uint16_t)(a.to - a.from) > 16384;
     curve->center = center;
-    o->ends[i].from = place_at(a.from, radius);
-    o->ends[i].to = place_at(a.to, radius);
+    pel_smooth_ends_of(o, i)->from = place_at(a.from, radius);
+    pel_smooth_ends_of(o, i)->to = place_at(a.to, radius);
     pel_smooth_circle_set(&curve->circle, radius);
     curve->circle.first = (uint8_t)(a.from >> 14);
     curve->circle.count = (uint8_t)(steps == 0 && back ? 5 : steps + 1);
@@ -126,7 +126,7 @@ static void add_box(struct pel_rect *box, const struct pel_smooth_outline *o,
                     int32_t i)
 {
     const struct pel_smooth_curve *const curve = &o->curve[i];
-    const struct pel_smooth_ends *const e = &o->ends[i];
+    const struct pel_smooth_ends *const e = pel_smooth_ends_of(o, i);
     const struct pel_point c = curve->center;
     const int32_t r = curve->circle.radius, first = curve->circle.first;
     for (int32_t k = first + 1; k < first + curve->circle.count; k++) {

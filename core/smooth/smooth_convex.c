@@ -95,8 +95,16 @@ static void start_sides(struct pel_smooth_walk *k, int32_t y)
         look_down(k);
 }
 
+static PEL_NOINLINE_32 bool is_legal(const struct pel_point *v, int32_t n)
+{
+    const bool legal = pel_points_legal(v, n);
+    PEL_ASSERT(legal);
+    PEL_HINT(pel_in_subpixels(v, n, 0));
+    return legal;
+}
+
 /* False: nothing is to be seen. */
-static PEL_NOINLINE_32 bool begin(struct pel_smooth_walk *k)
+static PEL_NOINLINE_32 bool start_walk(struct pel_smooth_walk *k)
 {
     const struct pel_rect *const clip = &k->smooth.target->clip;
     const struct pel_rect box = pel_points_box(k->v, k->n);
@@ -112,9 +120,18 @@ static PEL_NOINLINE_32 bool begin(struct pel_smooth_walk *k)
     return true;
 }
 
-/* The next batch, of whole rows, or a part of a row that is not; false at the
- * end. */
-static PEL_NOINLINE_32 bool next_batch(struct pel_smooth_walk *k)
+/* Begins with v, n and the paint. False: nothing is to be seen. */
+static PEL_NOINLINE_32 bool begin(struct pel_smooth_walk *k,
+                                  const struct pel_surface *surface)
+{
+    return is_legal(k->v, k->n) &&
+           pel_smooth_begin(&k->smooth, surface, k->smooth.paint) &&
+           k->n >= 3 && start_walk(k);
+}
+
+/* Makes the next batch of whole rows, or goes on to what is left of a row that
+ * is not; false at the end. */
+static PEL_NOINLINE_32 bool next_rows(struct pel_smooth_walk *k)
 {
     while (k->rest.x0 >= k->rest.x1) {
         if (k->y >= k->end)
@@ -130,40 +147,38 @@ static PEL_NOINLINE_32 bool next_batch(struct pel_smooth_walk *k)
         if (!PEL_SMALL_CODE)
             look_down(k);
     }
-    pel_smooth_rest_of_row(k);
     return true;
 }
 
-static PEL_NOINLINE_32 bool set_outline(struct pel_smooth_walk *k,
-                                        const struct pel_point *v, int32_t n)
+/* Inlined twice, for less stack. */
+static PEL_ALWAYS_INLINE void paint_outline(const struct pel_surface *surface,
+                                            const struct pel_point *v,
+                                            int32_t n,
+                                            const struct pel_paint *paint)
 {
-    const bool legal = pel_points_legal(v, n);
-    PEL_ASSERT(legal);
-    PEL_HINT(pel_in_subpixels(v, n, 0));
-    k->v = v;
-    k->n = n;
-    return legal;
-}
-
-static PEL_NOINLINE_32 void paint_all(struct pel_smooth_walk *k)
-{
-    while (next_batch(k))
-        pel_smooth_paint_batch(&k->smooth, &k->of.batch);
+    struct pel_smooth_walk k;
+    k.v = v;
+    k.n = n;
+    k.smooth.paint = paint;
+    if (!begin(&k, surface))
+        return;
+    while (next_rows(&k)) {
+        if (k.rest.x0 < k.rest.x1)
+            pel_smooth_rest_of_row(&k);
+        pel_smooth_paint_batch(&k.smooth, &k.of.batch);
+    }
 }
 
 void pel_smooth_convex(const struct pel_surface *surface,
                        const struct pel_point *v, int32_t n,
                        const struct pel_paint *paint)
 {
-    struct pel_smooth_walk k;
-    if (set_outline(&k, v, n) && pel_smooth_begin(&k.smooth, surface, paint) &&
-        n >= 3 && begin(&k))
-        paint_all(&k);
+    paint_outline(surface, v, n, paint);
 }
 
 void pel_smooth_triangle(const struct pel_surface *surface,
                          const struct pel_point v[3],
                          const struct pel_paint *paint)
 {
-    pel_smooth_convex(surface, v, 3, paint);
+    paint_outline(surface, v, 3, paint);
 }

@@ -143,7 +143,8 @@ void pel_smooth_ellipse(const struct pel_surface *surface,
         return;
     set_ellipse(&e, r.x, r.y);
     pel_smooth_round_set(&outline, &curve, c, 0, r.y);
-    curve.circle.oval = &e.oval;
+    curve.circle.of.oval = &e.oval;
+    curve.circle.down = PEL_SMOOTH_OVAL;
     curve.circle.reach = r.x * 256;
     if (pel_smooth_round_begin(surface, &outline, paint))
         pel_smooth_outline_paint(&outline);

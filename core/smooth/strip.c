@@ -47,8 +47,8 @@ static uint32_t square_at(const struct pel_smooth_circle *c, int32_t distance,
 int32_t pel_smooth_arc_at(const struct pel_smooth_circle *c, int32_t distance,
                           bool down)
 {
-    if (c->oval)
-        return c->oval->at(c->oval, distance, down);
+    if (c->down == PEL_SMOOTH_OVAL)
+        return c->of.oval->at(c->of.oval, distance, down);
     const uint32_t r = (uint32_t)c->radius, d = (uint32_t)distance;
     int32_t shift = 0;
     if (distance >= c->radius)
@@ -64,14 +64,13 @@ void pel_smooth_circle_set(struct pel_smooth_circle *c, int32_t radius)
 {
     const uint32_t r = (uint32_t)pel_max(radius, 1);
     c->radius = radius;
-    c->oval = NULL;
     c->reach = radius * 256;
     c->down = c->first = 0;
     c->count = 4;
     c->hole = false;
     while (r >> c->down >= SMALL)
         c->down++;
-    c->inverse = pel_divide(UINT32_C(1) << (20 + c->down), r);
+    c->of.inverse = pel_divide(UINT32_C(1) << (20 + c->down), r);
 }
 
 /* The step is taken with 16 bits, and the rise with as many. A line that moves
@@ -104,10 +103,10 @@ static uint32_t small_bulge(const struct pel_smooth_circle *c,
     const uint32_t u = ((uint32_t)p->u0 + (uint32_t)p->u1) >> 7;
     const uint32_t v = ((uint32_t)p->v0 + (uint32_t)p->v1) >> 7;
     const uint32_t square = du * du + dv * dv;
-    const uint32_t length = ((du * v + dv * u) >> 2) * c->inverse >> 20;
-    const uint32_t three = ((square >> 4) * length >> 14) * c->inverse >> 14;
+    const uint32_t length = ((du * v + dv * u) >> 2) * c->of.inverse >> 20;
+    const uint32_t three = ((square >> 4) * length >> 14) * c->of.inverse >> 14;
     const uint32_t area = three * 21845 >> 16;
-    const uint32_t k = c->inverse >> 3;
+    const uint32_t k = c->of.inverse >> 3;
     const uint32_t q = (square >> 6) * (k * k >> 4) >> 16;
     uint32_t more = 15469 + (120567 * q >> 16);
     more = 55255 + (more * q >> 16);
@@ -134,10 +133,10 @@ uint32_t pel_smooth_pixel_bulge(const struct pel_smooth_strip *s)
     const uint32_t z = (uint32_t)(steep ? s->at_near : s->near) +
                        (uint32_t)(steep ? s->at_far : s->far);
     const uint32_t e =
-        ((uint32_t)c->radius - (z >> 9)) * c->inverse >> (8 + c->down);
+        ((uint32_t)c->radius - (z >> 9)) * c->of.inverse >> (8 + c->down);
     uint32_t p = 10824 + (77681 * e >> 12);
     p = 5546 + (p * e >> 12);
-    return p * c->inverse >> (4 + c->down);
+    return p * c->of.inverse >> (4 + c->down);
 }
 
 /* Of a piece that goes along it for w, at most 2^16: below 2^17 2^15. */
@@ -151,8 +150,8 @@ static uint32_t bulge_of(const struct pel_smooth_strip *s,
                          const struct pel_smooth_arc_piece *p)
 {
     const struct pel_smooth_circle *const c = s->circle;
-    if (c->oval)
-        return c->oval->bulge(c->oval, p);
+    if (c->down == PEL_SMOOTH_OVAL)
+        return c->of.oval->bulge(c->of.oval, p);
     if (c->down == 0)
         return small_bulge(c, p);
     return large_bulge(pel_smooth_pixel_bulge(s),
@@ -214,7 +213,7 @@ uint32_t pel_smooth_area(const struct pel_smooth_strip *s, int32_t u,
 /* Is it a circle that cover_arc takes? */
 static inline bool is_large(const struct pel_smooth_circle *c)
 {
-    return c && c->down > 0 && !c->oval && c->radius < 65536;
+    return c && c->down > 0 && c->down != PEL_SMOOTH_OVAL && c->radius < 65536;
 }
 
 /* Of all that a strip has of a circle. */

@@ -40,13 +40,18 @@ struct pel_smooth_oval {
                       const struct pel_smooth_arc_piece *piece);
 };
 
+/* `down` of an oval. */
+enum { PEL_SMOOTH_OVAL = 255 };
+
 /* What belongs to a radius, and the quarters of its circle that a shape has. */
 struct pel_smooth_circle {
-    int32_t radius;   /* 1/256 px */
-    int32_t reach;    /* how far it is from the upright axis, 2^-16 px */
-    uint32_t inverse; /* 2^(20 + down) / radius */
-    const struct pel_smooth_oval *oval; /* or NULL */
-    uint8_t down;                       /* bits of the radius beyond 40 px */
+    int32_t radius; /* 1/256 px */
+    int32_t reach;  /* how far it is from the upright axis, 2^-16 px */
+    union {
+        uint32_t inverse; /* 2^(20 + down) / radius */
+        const struct pel_smooth_oval *oval;
+    } of;
+    uint8_t down;         /* bits of the radius beyond 40 px; or OVAL */
     uint8_t first, count; /* quadrants, clockwise; 0 begins at +x */
     bool hole;            /* the outline goes backwards */
 };

@@ -1,5 +1,6 @@
 /* Rows that sides cross from their upper end to the lower one, apart from each
  * other: many at a time. */
+#include "line_side.h"
 #include "outline.h"
 
 #include <stddef.h>
@@ -148,9 +149,12 @@ static void note_curve(const struct pel_smooth_outline *o, int32_t i, int32_t y,
     note(top, y, end);
     note(bottom, y, end);
     note(bottom + curve->circle.radius, y, end);
-    for (int32_t k = -4; o->ends && k <= 4; k += 8) {
-        note(top + (o->ends[i].from.y >> 8) + k, y, end);
-        note(top + (o->ends[i].to.y >> 8) + k, y, end);
+    if (!o->sides || !o->sides->cut)
+        return;
+    const struct pel_smooth_ends *const ends = pel_smooth_ends_of(o, i);
+    for (int32_t k = -4; k <= 4; k += 8) {
+        note(top + (ends->from.y >> 8) + k, y, end);
+        note(top + (ends->to.y >> 8) + k, y, end);
     }
 }
 
