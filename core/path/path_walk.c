@@ -167,6 +167,12 @@ static PEL_NOINLINE enum pel_status take_points(struct pel_path_state *w,
     return PEL_OK;
 }
 
+static bool has_verb(const struct pel_path_state *w)
+{
+    const struct pel_path *const path = w->shape->path;
+    return w->verb < path->verbs + path->verb_count;
+}
+
 static enum pel_status take_verb(struct pel_path_state *w)
 {
     const enum pel_status status = take_points(w, *w->verb++);
@@ -227,8 +233,7 @@ enum pel_status pel_path_walk(const void *shape, struct pel_pen *pen)
     enum pel_status status = begin(shape, pen);
     if (status != PEL_OK)
         return status;
-    const uint8_t *const end = w->verb + w->shape->path->verb_count;
-    while (w->verb < end && status == PEL_OK)
+    while (status == PEL_OK && has_verb(w))
         status = take_verb(w);
     if (status == PEL_OK && w->next < w->points)
         status = PEL_ERROR_FORMAT;

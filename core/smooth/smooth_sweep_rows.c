@@ -52,12 +52,24 @@ bool pel_smooth_sweep_add(struct pel_smooth_sweep *w, const struct pel_point *a,
     return true;
 }
 
+/* What add_edge has set, one by one: small compilers copy structs by a call. */
+static void keep(struct pel_smooth_edge *to, const struct pel_smooth_edge *e)
+{
+    to->at = e->at;
+    to->step = e->step;
+    to->rise.value = e->rise.value;
+    to->rise.steep = e->rise.steep;
+    to->top = e->top;
+    to->bottom = e->bottom;
+    to->winding = e->winding;
+}
+
 void pel_smooth_sweep_cut(struct pel_smooth_sweep *w, int32_t y1)
 {
     int32_t kept = 0;
     for (int32_t i = 0; i < w->count; i++)
         if (w->edge[i].top < PEL_PX(y1))
-            w->edge[kept++] = w->edge[i];
+            keep(&w->edge[kept++], &w->edge[i]);
     w->count = kept;
     w->y1 = y1;
 }
@@ -199,6 +211,26 @@ static inline int32_t row_of(const struct pel_smooth_sweep *w, int32_t i)
     return pel_max(pel_pixel_of(w->edge[i].top) - w->y0, 0);
 }
 
+#if PEL_SMOOTH_TINY
+/* By their top: Shell sort, with gaps of 2^k - 1. */
+static PEL_NOINLINE_32 void sort(struct pel_smooth_sweep *w)
+{
+    int32_t *const order = w->order;
+    int32_t gap = 1;
+    for (int32_t i = 0; i < w->count; i++)
+        order[i] = i;
+    while (gap < w->count / 4)
+        gap = 2 * gap + 1;
+    for (; gap; gap /= 2)
+        for (int32_t i = gap; i < w->count; i++) {
+            const int32_t edge = order[i], top = w->edge[edge].top;
+            int32_t k = i;
+            for (; k >= gap && w->edge[order[k - gap]].top > top; k -= gap)
+                order[k] = order[k - gap];
+            order[k] = edge;
+        }
+}
+#else
 /* By their first row: edges are counted in ranges of 2^shift rows, no more than
  * there are edges, whose x0 are the counters; within a range they are inserted.
  */
@@ -226,6 +258,7 @@ static PEL_NOINLINE_32 void sort(struct pel_smooth_sweep *w)
         order[k] = edge;
     }
 }
+#endif
 
 void pel_smooth_sweep_paint(struct pel_smooth_sweep *w)
 {
