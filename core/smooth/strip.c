@@ -53,7 +53,8 @@ int32_t pel_smooth_arc_at(const struct pel_smooth_circle *c, int32_t distance,
     int32_t shift = 0;
     if (distance >= c->radius)
         return 0;
-    uint32_t n = r < 65536 ? r * r - d * d : square_at(c, distance, &shift);
+    uint32_t n = r < 65536 && !PEL_SMALL_CODE ? r * r - d * d
+                                              : square_at(c, distance, &shift);
     for (; n < UINT32_C(1) << 30; n <<= 2)
         shift--;
     const uint32_t root = root_of(n);
@@ -121,29 +122,25 @@ static inline bool is_steep(const struct pel_smooth_strip *s)
     return s->at_near - s->at_far < s->far - s->near;
 }
 
-/* (r / z)^3 / 12 r, 2^-24 px: the area of a piece that goes along the axis for
- * a pixel, below .006 px. With z = (1 - e) r, 4/3 (1 - e)^-3 is a polynomial
- * that is off by 1.6 %, and the middle of the strip for that of the piece by 5
- * %, where r is 40 px: together by .1 of 255. The factors are below 2^18 2^8,
- * 2^17 2^11, 2^14 2^8. */
-uint32_t pel_smooth_pixel_bulge(const struct pel_smooth_strip *s)
+/* (r / z)^3 / 12 r, 2^-23 px, by twice z: the area of a piece that goes along
+ * the axis for a pixel, below .006 px. With z = (1 - e) r, 4/3 (1 - e)^-3 is a
+ * polynomial that is off by 2.3 %, and the middle of the strip for that of the
+ * piece by 5 %, where r is 40 px: together by .1 of 255. The factors are below
+ * 2^14 2^8, 2^8 2^11, 2^9 2^8. */
+static inline uint32_t pixel_bulge(const struct pel_smooth_circle *c,
+                                   uint32_t z)
 {
-    const struct pel_smooth_circle *const c = s->circle;
-    const bool steep = is_steep(s);
-    const uint32_t z = (uint32_t)(steep ? s->at_near : s->near) +
-                       (uint32_t)(steep ? s->at_far : s->far);
     const uint32_t e =
-        ((uint32_t)c->radius - (z >> 9)) * c->of.inverse >> (8 + c->down);
-    uint32_t p = 10824 + (77681 * e >> 12);
-    p = 5546 + (p * e >> 12);
-    return p * c->of.inverse >> (4 + c->down);
+        (((uint32_t)c->radius - (z >> 9)) >> c->down) * c->of.inverse >> 8;
+    const uint32_t p = 173 + ((169 + (19 * e >> 6)) * e >> 11);
+    return p * c->of.inverse >> c->down;
 }
 
-/* Of a piece that goes along it for w, at most 2^16: below 2^17 2^15. */
+/* Of a piece that goes along it for w, at most 2^16: below 2^16 2^15. */
 static inline uint32_t large_bulge(uint32_t pixel, int32_t w)
 {
     const uint32_t half = (uint32_t)w >> 1, square = half * half >> 15;
-    return pixel * (square * half >> 15) >> 24;
+    return pixel * (square * half >> 15) >> 23;
 }
 
 static uint32_t bulge_of(const struct pel_smooth_strip *s,
@@ -154,8 +151,13 @@ static uint32_t bulge_of(const struct pel_smooth_strip *s,
         return c->of.oval->bulge(c->of.oval, p);
     if (c->down == 0)
         return small_bulge(c, p);
-    return large_bulge(pel_smooth_pixel_bulge(s),
-                       is_steep(s) ? p->v0 - p->v1 : p->u1 - p->u0);
+    uint32_t z = (uint32_t)s->near + (uint32_t)s->far;
+    int32_t w = p->u1 - p->u0;
+    if (is_steep(s)) {
+        z = (uint32_t)s->at_near + (uint32_t)s->at_far;
+        w = p->v0 - p->v1;
+    }
+    return large_bulge(pixel_bulge(c, z), w);
 }
 
 /* What lies below a piece's chord and above the strip's near end, 2^-15 px: the
@@ -166,13 +168,6 @@ static inline uint32_t chord_area(const struct pel_smooth_strip *s,
     const uint32_t w = (uint32_t)(p->u1 - p->u0);
     const uint32_t h = (uint32_t)(p->v0 - s->near + p->v1 - s->near);
     return (w >> 1) * (h >> 1) >> 16;
-}
-
-/* With what lies between the chord and the arc. */
-static inline uint32_t area_of(const struct pel_smooth_strip *s,
-                               const struct pel_smooth_arc_piece *p)
-{
-    return chord_area(s, p) + (s->circle ? bulge_of(s, p) : 0);
 }
 
 /* The height of a line at a column's boundary: the product is below 2^32. */
@@ -206,7 +201,9 @@ uint32_t pel_smooth_area(const struct pel_smooth_strip *s, int32_t u,
                          const struct pel_smooth_arc_piece *p)
 {
     const uint32_t whole = (uint32_t)(p->u0 - u) >> 1;
-    return (whole * (uint32_t)(s->far - s->near) >> 16) + area_of(s, p);
+    const uint32_t area =
+        (whole * (uint32_t)(s->far - s->near) >> 16) + chord_area(s, p);
+    return s->circle ? area + bulge_of(s, p) : area;
 }
 
 #if !PEL_SMOOTH_TINY
@@ -246,7 +243,8 @@ static PEL_ALWAYS_INLINE void cover_columns(const struct pel_smooth_side *k,
                            : line    ? pel_max(near, line_at(s, u))
                                      : height_at(s, u);
         const struct pel_smooth_arc_piece p = {u0, v0, u1, v1};
-        put_area(whole + (line ? chord_area(s, &p) : area_of(s, &p)), flip, to);
+        put_area(whole + chord_area(s, &p) + (line ? 0 : bulge_of(s, &p)), flip,
+                 to);
         u0 = u1;
         v0 = v1;
         whole = 0;
@@ -302,7 +300,7 @@ static PEL_NOINLINE void cover_arc(const struct pel_smooth_side *k, int32_t u,
              flip, to);
     for (; u + 65536 < s->at_near; u += 65536) {
         const int32_t v1 = arc_height(s, square, u + 65536, &shift);
-        put_area(((uint32_t)(v0 + v1) >> 2) + (s->bulge >> 9), flip,
+        put_area(((uint32_t)(v0 + v1) >> 2) + (s->bulge >> 8), flip,
                  to += step);
         v0 = v1;
     }
@@ -328,12 +326,19 @@ void pel_smooth_side_cover(const struct pel_smooth_side *k, uint8_t *to)
         return;
     }
     uint32_t area = ((uint32_t)(s->at_far - u) >> 1) +
-                    ((uint32_t)(s->at_near - s->at_far) >> 2) + (s->bulge >> 9);
+                    ((uint32_t)(s->at_near - s->at_far) >> 2) + (s->bulge >> 8);
     if (s->circle && s->bulge == 0)
         area += all_bulge(s);
     put_area(area, flip, to);
     if (k->bytes > 1)
         put_area(0, flip, to + (k->left ? -1 : 1));
+}
+
+uint32_t pel_smooth_pixel_bulge(const struct pel_smooth_strip *s)
+{
+    const bool steep = is_steep(s);
+    return pixel_bulge(s->circle, (uint32_t)(steep ? s->at_near : s->near) +
+                                      (uint32_t)(steep ? s->at_far : s->far));
 }
 
 void pel_smooth_strip_begin(struct pel_smooth_strip *s)

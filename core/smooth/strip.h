@@ -148,7 +148,7 @@ struct pel_smooth_side {
 };
 
 /* The area between the arc of a circle from 40 px on and its chord, in a piece
- * that goes along an axis for a pixel: 2^-24 px. */
+ * that goes along an axis for a pixel: 2^-23 px. */
 uint32_t pel_smooth_pixel_bulge(const struct pel_smooth_strip *strip);
 
 /* Sets bulge to that, or 0. */
