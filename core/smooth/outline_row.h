@@ -17,14 +17,15 @@ pel_smooth_curve_at(const struct pel_smooth_outline *o,
                         : curve->circle.reach;
 }
 
-/* The quarters of a curve that may be in a row. */
-static PEL_SMOOTH_APART int32_t
-pel_smooth_quarters(const struct pel_smooth_outline *o,
-                    const struct pel_smooth_curve *curve, int32_t y)
+/* The quarters of a curve that may be in a row: for little code, all. */
+static inline int32_t pel_smooth_quarters(const struct pel_smooth_outline *o,
+                                          const struct pel_smooth_curve *curve,
+                                          int32_t y)
 {
     const int32_t down = y * 256 - curve->center.y;
     const int32_t radius = curve->circle.radius;
-    return down > -radius - 256 && down < radius + o->spread.y
+    return PEL_SMALL_CODE ||
+                   (down > -radius - 256 && down < radius + o->spread.y)
                ? curve->circle.count
                : 0;
 }
