@@ -71,24 +71,25 @@
 
 /* 1: the smallest code and stack, for use with -Os. On a Cortex-M4 a flat
  * triangle saves 0.2 KB of 1.1, a program with a gradient 1 to 2.5 KB, all of
- * core 7 of 34; every paint fits every aliased shape in 384 bytes of stack. A
- * pixel of a gradient takes 5 to 17 times as long, of a texture, a dither or
- * text up to 3 times, of flat colors as long as before (docs/MATRIX.md has
- * both); a smooth edge up to 10 times. Nothing but the program sets this: -Os
- * alone takes at most 1.3 times as long as -O2.
- */
+ * core 7 of 34. A pixel of a gradient takes 5 to 17 times as long, of a
+ * texture, a dither or text up to 3 times, of flat colors as long as before
+ * (docs/MATRIX.md has both); a smooth edge up to 10 times. Nothing but the
+ * program sets this: -Os alone takes at most 1.3 times as long as -O2; text,
+ * fans, nine slices, patterns, bilinear textures and blends at most 1.6 times,
+ * and gradients in other shapes than rectangles up to 1.9. Either way every
+ * paint fits every aliased shape in 384 bytes of stack. */
 #ifndef PEL_SMALL_CODE
 #define PEL_SMALL_CODE 0
 #endif
 
 /* Rows that a shape hands to a paint at a time, 4 to 255: 8 bytes of stack
- * each. */
+ * each. With -Os on CPUs of 32 bits at most 4, but in rectangles. */
 #ifndef PEL_BATCH_ROWS
 #define PEL_BATCH_ROWS (PEL_64BIT ? 255 : PEL_SMALL_CODE ? 4 : 8)
 #endif
 
 /* Pixels of the color buffer between a paint and a format, 4 to 255: 4 bytes
- * of stack each. */
+ * of stack each. With -Os on CPUs of 32 bits at most 8. */
 #ifndef PEL_BUFFER_PIXELS
 #define PEL_BUFFER_PIXELS (PEL_64BIT ? 32 : PEL_SMALL_CODE ? 4 : 16)
 #endif

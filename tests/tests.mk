@@ -20,13 +20,13 @@ TAB := $(shell printf '\t')
 TEST_SANITIZE := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
 
 # host      as the user builds it
-# portable  without the walk and the vectors of 64-bit CPUs
+# portable  without the walk and the vectors of 64-bit CPUs, and with short stack
 # san       address and undefined-behaviour sanitizers, and batches of few rows
 # assert    the sanitizers, and PEL_ASSERT counts
 # small     the portable walk as for the least code, and the least buffers
 # large     the portable walk with long products, and the largest buffers
 TEST_FLAGS_host := -O2 -g
-TEST_FLAGS_portable := -O2 -g -DPEL_64BIT=0 -DPEL_VECTORS=0
+TEST_FLAGS_portable := -Os -g -DPEL_64BIT=0 -DPEL_VECTORS=0
 TEST_FLAGS_san := $(TEST_SANITIZE) -DPEL_BATCH_ROWS=5
 TEST_FLAGS_assert := $(TEST_SANITIZE) \
     -DPEL_CONFIG_FILE='"tests/support/assert_config.h"'

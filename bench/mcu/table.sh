@@ -2,7 +2,9 @@
 # table.sh MCU.TSV [1] : prints the counts beside bench/mcu/budgets.tsv (of the
 # matrix of paints those over budget); fails when one is above what it was, or
 # is missing there or here, when a cell of the matrix takes more than 1.3 times as
-# much at -Os as at -O2, or docs/MATRIX.md is not what follows. A little more
+# much at -Os as at -O2, or docs/MATRIX.md is not what follows. 1.6 times hold for
+# text and paints that keep few rows or colors there, so that every pair of shape
+# and paint fits 384 bytes of stack (tests/link/pairs.sh). A little more
 # is what the stopwatch rounds when a call begins at another place in one of its
 # ticks. With 1, the counts are written there as the new state, budgets
 # unchanged, and the document too.
@@ -56,7 +58,9 @@ awk -F '\t' -v OFS='\t' -v accept="${2-}" -v new="$new" '
                 fail($1 " " $2 " " $3 ": " now " instructions with " \
                      levels[i] ", was " $(4 + i))
         }
-        if ($2 ~ /\// && at_os > 1.3 * at_o2 + .02)
+        most = $2 ~ /\/(text|fan|nine-slice|bilinear|checker|hatch|xor-flat)$/ \
+            ? 1.6 : 1.3
+        if ($2 ~ /\// && at_os > most * at_o2 + .02)
             fail($1 " " $2 " " $3 ": " at_os " instructions at -Os, " at_o2 \
                  " at -O2")
         print $1, $2, $3, $4, at_o2, at_os, measured(key, "small") > new

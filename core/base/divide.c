@@ -71,21 +71,21 @@ PEL_NOINLINE uint64_t pel_divide_fraction(uint64_t n, uint64_t d,
 }
 
 /* Bit by bit. Where n is below 0, floor(n / d) is ~floor((-1 - n) / d). */
-int64_t pel_divide_64(int64_t n, int64_t d, int64_t *remainder)
+int64_t pel_divide_64(int64_t *n, int64_t d)
 {
-    const int64_t sign = n >> 63;
-    int64_t quotient = 0, step = d;
+    const int64_t sign = *n >> 63;
+    int64_t quotient = 0, rest = *n ^ sign, step = d;
     int shift = 0;
-    for (n ^= sign; step <= n >> 1; step *= 2)
+    for (; step <= rest >> 1; step *= 2)
         shift++;
     for (; shift >= 0; shift--, step >>= 1) {
         quotient *= 2;
-        if (n >= step) {
-            n -= step;
+        if (rest >= step) {
+            rest -= step;
             quotient++;
         }
     }
-    *remainder = sign ? d - 1 - n : n;
+    *n = sign ? d - 1 - rest : rest;
     return quotient ^ sign;
 }
 

@@ -7,9 +7,9 @@
 
 #include "inline.h"
 
-/* pel_divide: floor(n / d); d > 0, n < d 2^32. pel_divide_64: floor(n / d) and
- * the remainder, 0 or more; d > 0. pel_divide_fraction: floor(n 2^32 / d), and
- * `fine`, floor(n 2^24 / d), modulo 2^64; 0 < d < 2^63. */
+/* pel_divide: floor(n / d); d > 0, n < d 2^32. pel_divide_64: floor(n / d), and
+ * n becomes the remainder, 0 or more; d > 0. pel_divide_fraction: floor(n 2^32
+ * / d), and `fine`, floor(n 2^24 / d), modulo 2^64; 0 < d < 2^63. */
 #if PEL_64BIT
 
 static inline uint32_t pel_divide(uint64_t n, uint32_t d)
@@ -17,11 +17,11 @@ static inline uint32_t pel_divide(uint64_t n, uint32_t d)
     return (uint32_t)(n / d);
 }
 
-static inline int64_t pel_divide_64(int64_t n, int64_t d, int64_t *remainder)
+static inline int64_t pel_divide_64(int64_t *n, int64_t d)
 {
-    const bool below = n % d < 0;
-    *remainder = below ? n % d + d : n % d;
-    return n / d - below;
+    const int64_t rest = *n % d, quotient = *n / d;
+    *n = rest < 0 ? rest + d : rest;
+    return quotient - (rest < 0);
 }
 
 /* Of most triangles n fits 32 bits: one division. Otherwise as many bits at a
@@ -50,7 +50,7 @@ static inline uint64_t pel_divide_fraction(uint64_t n, uint64_t d,
 #else
 
 uint32_t pel_divide(uint64_t n, uint32_t d);
-int64_t pel_divide_64(int64_t n, int64_t d, int64_t *remainder);
+int64_t pel_divide_64(int64_t *n, int64_t d);
 uint64_t pel_divide_fraction(uint64_t n, uint64_t d, uint64_t *fine);
 
 #endif

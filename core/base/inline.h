@@ -86,6 +86,28 @@ static inline int pel_trailing_zeros(uint32_t v)
 #define PEL_HOT_LOOP inline
 #endif
 
+/* Where the compiler optimises for size stack is short, too: a shape's and a
+ * paint's add up, to 384 bytes at most. Then few rows and colors are kept on it
+ * at a time. A PEL_STEP is a function of its own there, whose stack is free
+ * again when it returns; PEL_STEPS, which call it, are not. Elsewhere a
+ * PEL_STEP_OR_INLINE is always inlined, a PEL_STEP_OF_FEW also where there are
+ * more registers than Thumb-1 has. */
+#if defined(__OPTIMIZE_SIZE__) && !PEL_64BIT && !PEL_SMALL_CODE
+#define PEL_SHORT_STACK 1
+#define PEL_AT_A_TIME(n, few) ((n) < (few) ? (n) : (few))
+#define PEL_STEP PEL_NOINLINE
+#define PEL_STEPS PEL_ALWAYS_INLINE
+#define PEL_STEP_OR_INLINE PEL_NOINLINE
+#else
+#define PEL_SHORT_STACK 0
+#define PEL_AT_A_TIME(n, few) (n)
+#define PEL_STEP PEL_HOT
+#define PEL_STEPS PEL_NOINLINE_32
+#define PEL_STEP_OR_INLINE PEL_ALWAYS_INLINE
+#endif
+#define PEL_ROWS PEL_AT_A_TIME(PEL_BATCH_ROWS, 4)
+#define PEL_COLORS PEL_AT_A_TIME(PEL_BUFFER_PIXELS, 8)
+
 /* On 32-bit CPUs 64-bit numbers are long code and stack is short: there both
  * are functions of their own. On others the first is inlined, the second as the
  * compiler chooses. PEL_INLINE_KINDS: with a constant kind on 64-bit CPUs,
@@ -120,8 +142,10 @@ static inline int pel_trailing_zeros(uint32_t v)
 /* Thumb-1, as on an M0+: eight registers, and some more to move numbers to. */
 #if defined(__thumb__) && !defined(__thumb2__)
 #define PEL_FEW_REGISTERS 1
+#define PEL_STEP_OF_FEW PEL_STEP_OR_INLINE
 #else
 #define PEL_FEW_REGISTERS 0
+#define PEL_STEP_OF_FEW PEL_ALWAYS_INLINE
 #endif
 
 /* A loop that is a function of its own where registers are few or Thumb code is

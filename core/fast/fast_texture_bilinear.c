@@ -142,7 +142,7 @@ static PEL_ALWAYS_INLINE void put_colors(
 {
     const struct pel_texture_steps s = pel_texture_steps_make(p, writer);
     const struct pel_texture_run r =
-        pel_texture_run_of(&s, a->u.at, a->v.at, (uintptr_t)out, n);
+        pel_texture_run_of(&s, a->u, a->v, (uintptr_t)out, n);
     put_run(&s, &r, writer);
 }
 

@@ -8,4 +8,5 @@
 const struct pel_format pel_bgr565_le = {
     .id = PEL_FORMAT_BGR565_LE,
     FORMAT_565,
+    WHOLE_CHANNELS,
 };

@@ -8,6 +8,7 @@
 const struct pel_format pel_rgb565_be = {
     .id = PEL_FORMAT_RGB565_BE,
     FORMAT_565,
+    WHOLE_CHANNELS,
 };
 
 const struct pel_format pel_rgb565_be_fill = {

@@ -7,13 +7,20 @@
 enum {
     ROWS = PEL_64BIT && PEL_BATCH_ROWS > 16 ? 16
            : PEL_SMALL_CODE                 ? PEL_BATCH_ROWS / 2
-                                            : PEL_BATCH_ROWS,
+                                            : PEL_ROWS,
     COLUMNS = 24
 };
 
-/* Each row's runs of set bits are taken from right to left. */
+/* Each row's runs of set bits are taken from right to left. All that is kept
+ * while a paint runs stands here, to spare stack. */
 struct part {
-    int32_t x; /* of the glyph */
+    int32_t x;       /* px: of the glyph */
+    uint16_t width;  /* of it, up to its last column in the clip */
+    uint16_t left;   /* rows in the clip, from this part on */
+    uint16_t column; /* of the glyph, where the part begins, */
+    uint16_t end;    /* and where it ends */
+    int32_t stride;
+    const uint8_t *row; /* the bits of the first row */
     struct pel_spans rows;
     struct pel_span span[ROWS]; /* the run of each row that is drawn next */
     uint32_t bits[ROWS]; /* what lies left of it, its last column lowest */
@@ -39,10 +46,11 @@ static uint32_t bits_at(const uint8_t *row, int32_t x0, int32_t x1)
 }
 
 /* Sets the span of each row to the next run of set bits on its left, or empty
- * at pixel `left`, and returns whether there are more. (Compilers for any
+ * where the part begins, and returns whether there are more. (Compilers for any
  * x86-64 count zeros from the low bit in one fast instruction.) */
-static PEL_HOT bool next_runs(struct part *p, int32_t left)
+static PEL_STEP bool next_runs(struct part *p)
 {
+    const int32_t left = p->x + p->column;
     uint32_t more = 0;
     for (int32_t i = 0; i < p->rows.n; i++) {
         struct pel_span *span = &p->span[i];
@@ -57,14 +65,16 @@ static PEL_HOT bool next_runs(struct part *p, int32_t left)
     return more != 0;
 }
 
-/* Takes the columns of rows from `row` on; false when no bit is set. */
-static PEL_HOT bool take(struct part *p, const uint8_t *row, int32_t stride,
-                         const struct pel_span *columns)
+/* Takes the columns of the part; false when no bit is set. */
+static PEL_STEP bool take(struct part *p)
 {
+    const int32_t end = pel_min(p->column + COLUMNS, p->width);
+    const uint8_t *row = p->row;
     uint32_t all = 0;
-    for (int32_t i = 0; i < p->rows.n; i++, row += stride) {
-        p->span[i].x0 = columns->x1;
-        p->bits[i] = bits_at(row, columns->x0 - p->x, columns->x1 - p->x);
+    p->end = (uint16_t)end;
+    for (int32_t i = 0; i < p->rows.n; i++, row += p->stride) {
+        p->span[i].x0 = p->x + end;
+        p->bits[i] = bits_at(row, p->column, end);
         all |= p->bits[i];
     }
     return all != 0;
@@ -72,37 +82,52 @@ static PEL_HOT bool take(struct part *p, const uint8_t *row, int32_t stride,
 
 static bool legal(const struct pel_stencil *g, int32_t x, int32_t y)
 {
-    return pel_offset_legal(x, y) && g->width >= 0 && g->width <= 32767 &&
-           g->height >= 0 && g->height <= 32767;
+    return pel_offset_legal(x, y) &&
+           (uint32_t)(g->width | g->height) >> 15 == 0;
+}
+
+/* False: nothing is visible. */
+static PEL_STEP bool begin(struct part *p, const struct pel_stencil *glyph,
+                           int32_t x, int32_t y)
+{
+    PEL_ASSERT(legal(glyph, x, y));
+    if (!legal(glyph, x, y))
+        return false;
+    const struct pel_rect *const clip = &p->rows.surface->clip;
+    const int32_t first = pel_max(y, clip->y0);
+    const int32_t rows = pel_min(y + glyph->height, clip->y1) - first;
+    const int32_t columns = pel_min(glyph->width, clip->x1 - x);
+    if (rows <= 0 || columns <= pel_max(0, clip->x0 - x))
+        return false;
+    p->x = x;
+    p->width = (uint16_t)columns;
+    p->left = (uint16_t)rows;
+    p->stride = glyph->stride;
+    p->row = glyph->bits + (ptrdiff_t)(first - y) * (ptrdiff_t)glyph->stride;
+    p->rows.y = first;
+    return true;
 }
 
 void pel_glyph(const struct pel_surface *surface,
                const struct pel_stencil *glyph, int32_t x, int32_t y,
                const struct pel_paint *paint)
 {
-    PEL_ASSERT(legal(glyph, x, y));
-    if (!legal(glyph, x, y))
-        return;
-    struct pel_rect r = {x, y, x + glyph->width, y + glyph->height};
-    r = pel_rect_intersect(&r, &surface->clip);
-    if (pel_rect_empty(&r))
-        return;
     struct part p;
-    p.x = x;
-    p.rows = (struct pel_spans){surface, p.span, r.y0, 0, 1};
-    for (; p.rows.y < r.y1; p.rows.y += p.rows.n) {
-        const uint8_t *row =
-            glyph->bits + (ptrdiff_t)(p.rows.y - y) * (ptrdiff_t)glyph->stride;
-        struct pel_span columns = {r.x0, r.x0};
-        p.rows.n = pel_min(r.y1 - p.rows.y, ROWS);
-        for (; columns.x0 < r.x1; columns.x0 = columns.x1) {
-            columns.x1 = pel_min(columns.x0 + COLUMNS, r.x1);
-            bool more = take(&p, row, glyph->stride, &columns);
+    p.rows = (struct pel_spans){surface, p.span, 0, 0, 1};
+    if (!begin(&p, glyph, x, y))
+        return;
+    for (; p.left; p.left = (uint16_t)(p.left - p.rows.n)) {
+        p.rows.n = pel_min(p.left, ROWS);
+        p.column = (uint16_t)pel_max(0, p.rows.surface->clip.x0 - p.x);
+        for (; p.column < p.width; p.column = p.end) {
+            bool more = take(&p);
             while (more) {
-                more = next_runs(&p, columns.x0);
+                more = next_runs(&p);
                 paint->fill(paint, &p.rows);
             }
         }
+        p.row += p.rows.n * (ptrdiff_t)p.stride;
+        p.rows.y += p.rows.n;
     }
 }
 
@@ -166,27 +191,36 @@ const struct pel_font_glyph *pel_glyph_find(const struct pel_font_asset **font,
                                            : &first->glyph[first->missing];
 }
 
-/* The glyph with its pen at (x, y), which is far outside of every surface when
- * the string is long enough: then it is not drawn. */
-static void draw(const struct pel_surface *surface,
-                 const struct pel_font_asset *font,
-                 const struct pel_font_glyph *glyph, struct pel_point pen,
-                 const struct pel_paint *paint)
+/* Has the glyph at (x, y) pixels in the clip? It is far outside of every
+ * surface when the string is long enough: then it is not drawn. */
+static inline bool in_sight(const struct pel_surface *surface,
+                            const struct pel_font_glyph *glyph, int32_t x,
+                            int32_t y)
 {
-    const struct pel_rect *clip = &surface->clip;
-    pen.x += glyph->left;
-    pen.y -= glyph->top;
-    if (pen.x >= clip->x1 || pen.y >= clip->y1 ||
-        pen.x + glyph->width <= clip->x0 || pen.y + glyph->height <= clip->y0)
+    const struct pel_rect *const clip = &surface->clip;
+    return x < clip->x1 && y < clip->y1 && x + glyph->width > clip->x0 &&
+           y + glyph->height > clip->y0;
+}
+
+/* With its pen at `pen`. What either way takes of the stack is shared. */
+static PEL_ALWAYS_INLINE void draw(const struct pel_surface *surface,
+                                   const struct pel_font_asset *font,
+                                   const struct pel_font_glyph *glyph,
+                                   struct pel_point pen,
+                                   const struct pel_paint *paint)
+{
+    const int32_t x = pen.x + glyph->left, y = pen.y - glyph->top;
+    if (!in_sight(surface, glyph, x, y))
         return;
     if (font->kind) {
-        font->kind->draw(surface, font, glyph, pen, paint);
-        return;
+        const struct pel_point at = {x, y};
+        font->kind->draw(surface, font, glyph, at, paint);
+    } else {
+        const struct pel_stencil g = {font->bits + glyph->offset,
+                                      (glyph->width + 7) / 8, glyph->width,
+                                      glyph->height};
+        pel_glyph(surface, &g, x, y, paint);
     }
-    const struct pel_stencil g = {font->bits + glyph->offset,
-                                  (glyph->width + 7) / 8, glyph->width,
-                                  glyph->height};
-    pel_glyph(surface, &g, pen.x, pen.y, paint);
 }
 
 void pel_text_until(const struct pel_surface *surface,

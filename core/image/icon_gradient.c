@@ -113,8 +113,8 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
  * sub-pixels. */
 static uint64_t step_of(int32_t b, int64_t area)
 {
-    int64_t rest;
-    return (uint64_t)pel_divide_64(b * INT64_C(4294967296), area, &rest);
+    int64_t rest = b * INT64_C(4294967296);
+    return (uint64_t)pel_divide_64(&rest, area);
 }
 
 /* (p - from) x d / area of the centre of a pixel p, in steps of x and y. */

@@ -92,8 +92,8 @@ static void filter_fill(const struct pel_paint *paint,
 {
     struct pel_outline_filter *r =
         (struct pel_outline_filter *)(uintptr_t)paint;
-    int32_t y = spans->y;
-    for (int32_t i = 0; i < spans->n; i++, y += spans->step) {
+    for (int32_t i = 0; i < spans->n; i++) {
+        const int32_t y = spans->y + i * spans->step;
         if (spans->span[i].x0 >= spans->span[i].x1)
             continue;
         if (y != r->y)

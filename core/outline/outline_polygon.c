@@ -1,5 +1,6 @@
 #include "outline.h"
 
+#include "../raster/sweep.h"
 #include "outline_filter.h"
 
 /* The scratch memory: the filter, aligned like a pointer, its spans, and that
@@ -44,8 +45,10 @@ enum pel_status pel_polygon_outline(const struct pel_surface *surface,
     const int32_t n = PEL_OUTLINE_FILTER_SPANS(polygon->n / 2);
     const size_t used = FILTER_BYTES + (size_t)n * sizeof(struct pel_span);
     pel_outline_filter_begin(filter, surface, paint, spans, n);
-    const enum pel_status status = pel_polygon(
-        &filter->surface, polygon, &filter->paint, memory + used, size - used);
+    if (pel_polygon_begin(polygon, memory + used, size - used,
+                          &filter->surface.clip) > 0)
+        pel_sweep_paint((void *)(memory + used), &filter->surface,
+                        &filter->paint);
     pel_outline_filter_end(filter);
-    return status;
+    return PEL_OK;
 }

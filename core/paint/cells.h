@@ -21,40 +21,85 @@ enum {
                                           : 32
 };
 
+/* Where stack is short members are, too. How a cell is drawn: by the format's
+ * fill when it is opaque, else by its blend. */
+#if PEL_SHORT_STACK
+typedef uint16_t pel_cell_index;
+typedef int8_t pel_cell_direction;
+typedef int64_t pel_cell_error __attribute__((__aligned__(4)));
+typedef bool pel_cell_draw;
+#define PEL_CELL_FLAG(name) bool name : 1
+#else
+typedef int32_t pel_cell_index, pel_cell_direction;
+typedef int64_t pel_cell_error;
+typedef void (*pel_cell_draw)(const struct pel_spans *spans, uint32_t value);
+#define PEL_CELL_FLAG(name) bool name
+#endif
+
 /* A batch of rows among the cells. A cell's index is its number
  * from 0 on, and below the period. */
 struct pel_cells {
-    int64_t error;     /* of the boundary where the present cell ends, */
-    int32_t x;         /* at this pixel of the first row */
-    int32_t direction; /* to the next cell's index: 1, -1; 0: none comes */
-    int32_t hi;        /* runs end here at the farthest */
+    pel_cell_error error; /* of the boundary where the present cell ends, */
+    int32_t x;            /* at this pixel of the first row */
+    int32_t hi;           /* runs end here at the farthest */
 
-    /* The next cell: its pixel value and the format's fill, or its color,
-     * which is not opaque, and the blend. */
+    /* The next cell: its pixel value, or its color where that is not opaque;
+     * its index; and the direction to the one behind it: 1, -1; 0: none comes.
+     */
     uint32_t value;
-    void (*draw)(const struct pel_spans *spans, uint32_t value);
+    pel_cell_index index;
+    pel_cell_direction direction;
+    pel_cell_draw draw;
+    uint8_t most; /* rows of a batch; 0: one, and hi is the next pixel */
+#if !PEL_SMALL_CODE
+    uint8_t left;         /* spans from `span` on */
+    PEL_CELL_FLAG(box);   /* the spans of these rows are all alike */
+    PEL_CELL_FLAG(mixed); /* opaque cells of two colors: pel_cells_pass_mixed */
+    pel_cell_draw present;       /* how the present cell is drawn */
+    const struct pel_span *span; /* the shape's, of these rows */
+#endif
 
     const struct pel_gradient *gradient;
-    struct pel_spans cell; /* the present cell's runs */
-
-    int32_t index; /* of the next cell */
+    struct pel_spans cell; /* the present cell's runs: pel_cells_run */
 
     /* Of a radial gradient the radius where the present cell begins, of a conic
      * one the angle, rounded down. */
     int32_t whole;
     int32_t remainder; /* of the radius or angle, or of a linear one's error */
 
-#if !PEL_SMALL_CODE
-    const struct pel_span *span; /* the shape's, of these rows */
-    int32_t end;                 /* px: where all of them have ended */
-    uint8_t left;                /* spans from `span` on */
-    bool box;                    /* these are all alike */
+#if !PEL_SHORT_STACK
+    int32_t end;    /* px: where all of them have ended */
     pel_color mask; /* of mixed colors what can be seen; 0: ask the format */
-#endif
-
-    /* The run of the present cell, in every row. */
     struct pel_span run[PEL_CELL_ROWS];
+#endif
 };
+
+/* The run of the present cell in every row. Where stack is short their memory
+ * lies apart: few rows take less of it. */
+#if PEL_SHORT_STACK
+static inline struct pel_span *pel_cells_run(struct pel_cells *c)
+{
+    return (struct pel_span *)(uintptr_t)c->cell.span;
+}
+
+static inline pel_cell_draw pel_cells_draw_of(const struct pel_format *format,
+                                              bool opaque)
+{
+    (void)format;
+    return opaque;
+}
+#else
+static inline struct pel_span *pel_cells_run(struct pel_cells *c)
+{
+    return c->run;
+}
+
+static inline pel_cell_draw pel_cells_draw_of(const struct pel_format *format,
+                                              bool opaque)
+{
+    return opaque ? format->fill : format->blend;
+}
+#endif
 
 /* The index of the cell `part` of copy number `copy` of the ramp; of a padded
  * one copy >= 0. */
@@ -78,9 +123,9 @@ static inline uint32_t pel_mix_sum(uint32_t a, uint32_t change, int32_t i)
 }
 
 /* From cell i on, up where direction is 1, or down: -1. */
-static PEL_SHARED void pel_mix_start(struct pel_mix *mix,
-                                     const struct pel_gradient *g, int32_t i,
-                                     int32_t direction)
+static PEL_HOT void pel_mix_start(struct pel_mix *mix,
+                                  const struct pel_gradient *g, int32_t i,
+                                  int32_t direction)
 {
     const pel_color a = g->ramp.colors[0], b = g->ramp.colors[1];
     const uint32_t m = 0xFF00FFu, high = (b >> 8 & m) - (a >> 8 & m);
@@ -107,11 +152,11 @@ static PEL_ALWAYS_INLINE bool pel_cells_go(struct pel_cells *c)
                                          : next - c->direction * g->period;
     if (next == c->index)
         return false;
-    c->index = next;
+    c->index = (pel_cell_index)next;
     return true;
 }
 
-/* Before the first batch. */
+/* Before the first batch, and before cell.span is set. */
 void pel_cells_open(struct pel_cells *cells,
                     const struct pel_gradient *gradient,
                     const struct pel_spans *spans);
@@ -125,7 +170,7 @@ int32_t pel_spans_hull(struct pel_span *hull, const struct pel_span *span,
  * moved to hi, is not the end of the batch, that goes on there; else the next
  * one begins, of at most `most` <= PEL_CELL_ROWS rows. With `most` 0 it has one
  * row, and hi is the next pixel. False when no pixel is left. */
-bool pel_cells_next(struct pel_cells *cells, int32_t most);
+bool pel_cells_next(struct pel_cells *cells);
 
 /* Of narrow cells: are there more than a walk should pass? Of a ramp that does
  * not begin anew it passes each once. */
@@ -166,6 +211,29 @@ static PEL_ALWAYS_INLINE bool pel_cells_more(struct pel_cells *c)
     return more;
 }
 
+#if !PEL_SMALL_CODE
+/* Goes on to the last of the cells of two mixed colors that look like the one
+ * at c->index, but not beyond the end of the ramp. Returns how many it passed.
+ * Formats drop the low bits of channels. Not for grey, which shows a sum. */
+int32_t pel_cells_pass_mixed(struct pel_cells *c);
+
+/* As pel_cells_pass, in place: where stack is short. */
+static PEL_ALWAYS_INLINE int32_t pel_cells_pass_here(struct pel_cells *c,
+                                                     int32_t most)
+{
+    const uint32_t value = c->value;
+    const pel_cell_draw draw = c->present = c->draw;
+    int32_t count = 0;
+    do {
+        if (c->mixed)
+            count += pel_cells_pass_mixed(c);
+        if (count++ >= c->gradient->period || !pel_cells_more(c))
+            return 0;
+    } while (c->value == value && c->draw == draw && count < most);
+    return count;
+}
+#endif
+
 /* Ends all runs at the boundary, whose error is set. It grows by `step` to the
  * next pixel, and by `row` to the one below; `row` from row to row, and the
  * step from pixel to pixel, by `bend`. true when pixels are left. */
@@ -196,87 +264,6 @@ static PEL_ALWAYS_INLINE void pel_cells_move(struct pel_cells *c, int32_t count,
             c->whole += direction;
         }
     } while (--count);
-}
-
-/* Draws what is left of every row up to hi, from the cell at c->index on. A
- * single row may end earlier: after some cells, in case they are narrow, the
- * next one is looked up. */
-static PEL_ALWAYS_INLINE void pel_cells_draw(
-    struct pel_cells *c, bool (*end)(struct pel_cells *cells, int32_t count))
-{
-    bool more = false;
-    int32_t left = 64;
-    pel_cells_color(c);
-    do {
-        const uint32_t value = c->value;
-        void (*const draw)(const struct pel_spans *, uint32_t) = c->draw;
-        if (PEL_CELL_ROWS > 1) {
-            const int32_t count = pel_cells_pass(c, PEL_CELLS_PASSED);
-            more = count ? end(c, count) : pel_cells_end_all(c);
-        } else {
-            c->run[0].x0 = c->x;
-            do
-                (void)(pel_cells_more(c) ? end(c, 1) : pel_cells_end_all(c));
-            while (--left && c->x < c->hi && c->value == value &&
-                   c->draw == draw);
-            c->run[0].x1 = c->x;
-        }
-        pel_fill_value(&c->cell, value, draw);
-    } while (PEL_CELL_ROWS > 1 ? more : left && c->x < c->hi);
-}
-
-/* Fills spans of narrow cells pixel by pixel: `start` begins a walk along a
- * row, and `colors` takes the next n >= 1 of its colors. */
-static PEL_ALWAYS_INLINE void pel_cells_put(
-    const struct pel_spans *spans, void *walk,
-    void (*start)(void *walk, int32_t x, int32_t y),
-    void (*colors)(void *walk, int32_t n, pel_color *out))
-{
-    pel_color out[PEL_BUFFER_PIXELS];
-    const struct pel_span *span = spans->span;
-    int32_t y = spans->y;
-    for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step) {
-        if (span->x0 < span->x1)
-            start(walk, span->x0, y);
-        for (int32_t x = span->x0, n; x < span->x1; x += n) {
-            n = pel_min(span->x1 - x, PEL_BUFFER_PIXELS);
-            colors(walk, n, out);
-            pel_put_colors(spans->surface, x, y, n, out);
-        }
-    }
-}
-
-/* Fills spans, `most` rows at a time; 0: one, and every pixel looks for its
- * cell, as cells are narrow. `start` finds the cell of the first pixel, its
- * index and the direction, and may bring hi nearer; `end` lets the present cell
- * end where `count` >= 1 cells end, it included, by pel_cells_end: true when
- * pixels are left. Written out where it is called, to spare the stack. */
-static PEL_ALWAYS_INLINE void pel_cells_fill(
-    const struct pel_paint *paint, const struct pel_spans *spans, int32_t most,
-    void (*start)(struct pel_cells *cells),
-    bool (*end)(struct pel_cells *cells, int32_t count))
-{
-    struct pel_cells c;
-    if (PEL_CELL_ROWS > 1) {
-        pel_cells_open(&c, (const void *)paint, spans);
-        while (pel_cells_next(&c, most)) {
-            start(&c);
-            pel_cells_draw(&c, end);
-            c.x = c.hi;
-        }
-        return;
-    }
-    c.gradient = (const void *)paint;
-    c.cell =
-        (struct pel_spans){spans->surface, c.run, spans->y, 1, spans->step};
-    const struct pel_span *span = spans->span;
-    const struct pel_span *const last = span + spans->n;
-    for (; span < last; c.cell.y += c.cell.step, span++)
-        for (c.x = span->x0; c.x < span->x1;) {
-            c.hi = span->x1;
-            start(&c);
-            pel_cells_draw(&c, end);
-        }
 }
 
 #endif

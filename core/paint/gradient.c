@@ -1,4 +1,4 @@
-#include "cells.h"
+#include "cells_fill.h"
 
 enum { FAR = 1 << 20 }; /* px: to the right of every pixel */
 
@@ -48,16 +48,65 @@ void pel_cells_color(struct pel_cells *c)
     const pel_color color = c->gradient->color(c->gradient, c->index);
     const struct pel_format *format = c->cell.surface->format;
     const bool opaque = pel_alpha(color) == 255;
-    c->draw = opaque ? format->fill : format->blend;
+    c->draw = pel_cells_draw_of(format, opaque);
     c->value = opaque ? format->pack(color) : color;
 }
 
 #if !PEL_SMALL_CODE
 
-/* Goes on to the last of the cells of two mixed colors that look like the one
- * at c->index, but not beyond the end of the ramp. Returns how many it passed.
- * Formats drop the low bits of channels. Not for grey, which shows a sum. */
-static PEL_NOINLINE_32 int32_t pass_mixed(struct pel_cells *c)
+/* What can be seen of a color. */
+static inline pel_color find_mask(const struct pel_surface *surface)
+{
+    pel_color mask = 0;
+    for (int k = 0; k < 3; k++)
+        mask = mask << 8 | (0xFF00u >> surface->format->depth[k] & 0xFF);
+    return mask;
+}
+
+/* That, and where these rows have all ended: kept, or found anew where stack is
+ * short. */
+#if PEL_SHORT_STACK
+
+static inline void keep(struct pel_cells *c, int32_t end, pel_color mask)
+{
+    (void)c;
+    (void)end;
+    (void)mask;
+}
+
+static inline pel_color mask_of(const struct pel_cells *c)
+{
+    return find_mask(c->cell.surface);
+}
+
+static inline int32_t end_of(const struct pel_cells *c)
+{
+    struct pel_span hull;
+    pel_spans_hull(&hull, c->span, c->cell.n);
+    return hull.x1;
+}
+
+#else
+
+static inline void keep(struct pel_cells *c, int32_t end, pel_color mask)
+{
+    c->end = end;
+    c->mask = mask;
+}
+
+static inline pel_color mask_of(const struct pel_cells *c)
+{
+    return c->mask;
+}
+
+static inline int32_t end_of(const struct pel_cells *c)
+{
+    return c->end;
+}
+
+#endif
+
+int32_t pel_cells_pass_mixed(struct pel_cells *c)
 {
     const struct pel_gradient *g = c->gradient;
     const bool back = c->index >= g->cells, down = back == (c->direction > 0);
@@ -65,15 +114,15 @@ static PEL_NOINLINE_32 int32_t pass_mixed(struct pel_cells *c)
     const int32_t most = down ? i : 255 - i;
     struct pel_mix mix;
     pel_mix_start(&mix, g, i, down ? -1 : 1);
-    const pel_color first = pel_mixed(mix) & c->mask;
+    const pel_color mask = mask_of(c), first = pel_mixed(mix) & mask;
     int32_t passed = 0;
     for (; passed < most; passed++) {
         mix.high += mix.high_change;
         mix.low += mix.low_change;
-        if ((pel_mixed(mix) & c->mask) != first)
+        if ((pel_mixed(mix) & mask) != first)
             break;
     }
-    c->index += c->direction * passed;
+    c->index = (pel_cell_index)(c->index + c->direction * passed);
     return passed;
 }
 
@@ -84,35 +133,34 @@ void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
     const struct pel_ramp *const ramp = &gradient->ramp;
     c->gradient = gradient;
     c->cell =
-        (struct pel_spans){spans->surface, c->run, spans->y, 0, spans->step};
-    c->x = c->end = 0; /* no rows: the first batch is the next one */
+        (struct pel_spans){spans->surface, NULL, spans->y, 0, spans->step};
+    c->x = 0; /* no rows: the first batch is the next one */
     c->span = spans->span;
     c->left = (uint8_t)spans->n;
-    c->mask = 0;
-    if (ramp->n == 2 && depth[1] &&
-        pel_alpha(ramp->colors[0] & ramp->colors[1]) == 255)
-        for (int k = 0; k < 3; k++)
-            c->mask = c->mask << 8 | (0xFF00u >> depth[k] & 0xFF);
+    c->mixed = ramp->n == 2 && depth[1] &&
+               pel_alpha(ramp->colors[0] & ramp->colors[1]) == 255;
+    keep(c, 0, PEL_SHORT_STACK ? 0 : find_mask(spans->surface));
 }
 
-bool pel_cells_next(struct pel_cells *c, int32_t most)
+bool pel_cells_next(struct pel_cells *c)
 {
-    while (c->x >= c->end) {
-        struct pel_span hull;
+    struct pel_span hull = {0, end_of(c)};
+    while (c->x >= hull.x1) {
         c->span += c->cell.n;
         c->left = (uint8_t)(c->left - c->cell.n);
         c->cell.y += c->cell.n * c->cell.step;
-        c->cell.n = pel_min(c->left, pel_max(most, 1));
+        c->cell.n = pel_min(c->left, pel_max(c->most, 1));
         if (c->cell.n == 0)
             return false;
         const int32_t pixels = pel_spans_hull(&hull, c->span, c->cell.n);
         c->x = hull.x0;
-        c->end = hull.x1;
+        keep(c, hull.x1, PEL_SHORT_STACK ? 0 : mask_of(c));
         c->box = pixels == c->cell.n * (hull.x1 - hull.x0);
     }
-    c->hi = most ? c->end : c->x + 1;
+    c->hi = c->most ? hull.x1 : c->x + 1;
+    struct pel_span *const run = pel_cells_run(c);
     for (int32_t i = 0; i < c->cell.n; i++)
-        c->run[i].x1 = pel_max(c->x, c->span[i].x0);
+        run[i].x1 = pel_max(c->x, c->span[i].x0);
     return true;
 }
 
@@ -120,11 +168,12 @@ bool pel_cells_next(struct pel_cells *c, int32_t most)
 static int32_t cut(struct pel_cells *c)
 {
     const int32_t hi = c->hi;
+    struct pel_span *const run = pel_cells_run(c);
     int32_t sign = 0;
     for (int32_t i = 0; i < c->cell.n; i++) {
         const int32_t end = pel_min(c->span[i].x1, hi);
-        const int32_t x = pel_max(c->run[i].x0, pel_min(c->run[i].x1, end));
-        c->run[i].x1 = x;
+        const int32_t x = pel_max(run[i].x0, pel_min(run[i].x1, end));
+        run[i].x1 = x;
         sign |= x - end;
     }
     return sign;
@@ -143,7 +192,7 @@ static int32_t end_rows(struct pel_cells *c, int32_t step, int32_t row,
                                       : (int32_t)c->error;
     row *= c->cell.step;
     step -= bend;
-    struct pel_span *run = c->run;
+    struct pel_span *run = pel_cells_run(c);
     for (int32_t left = c->cell.n;; run++) {
         run->x0 = run->x1;
         run->x1 = x;
@@ -168,16 +217,35 @@ static int32_t end_rows(struct pel_cells *c, int32_t step, int32_t row,
 
 int32_t pel_cells_pass(struct pel_cells *c, int32_t most)
 {
-    const uint32_t value = c->value;
-    void (*const draw)(const struct pel_spans *, uint32_t) = c->draw;
-    int32_t count = 0;
-    do {
-        if (c->mask)
-            count += pass_mixed(c);
-        if (count++ >= c->gradient->period || !pel_cells_more(c))
-            return 0;
-    } while (c->value == value && c->draw == draw && count < most);
-    return count;
+    return pel_cells_pass_here(c, most);
+}
+
+#endif
+
+#if PEL_SHORT_STACK
+
+void pel_cells_fill_fewer(const struct pel_paint *paint,
+                          const struct pel_spans *spans, int32_t most,
+                          pel_cells_filler *fill)
+{
+    struct pel_span run[PEL_ROWS - 1];
+    fill(paint, spans, most, run);
+}
+
+void pel_cells_fill_few(const struct pel_paint *paint,
+                        const struct pel_spans *spans, int32_t most,
+                        pel_cells_filler *fill)
+{
+    struct pel_span run[PEL_ROWS];
+    fill(paint, spans, most, run);
+}
+
+void pel_cells_fill_many(const struct pel_paint *paint,
+                         const struct pel_spans *spans, int32_t most,
+                         pel_cells_filler *fill)
+{
+    struct pel_span run[PEL_CELL_ROWS];
+    fill(paint, spans, most, run);
 }
 
 #endif

@@ -1,6 +1,6 @@
 #include "../base/divide.h"
 #include "../base/trig.h"
-#include "cells.h"
+#include "cells_fill.h"
 #include "paint_conic.h"
 
 enum { HALF_TURN = 32768, FULL_TURN = 65536, HUES = 6 * 256 };
@@ -14,12 +14,13 @@ static int32_t height_of(const struct pel_cells *c)
 
 /* The cross product of a ray and the pixel at x, at a height: 0 or more when
  * the pixel lies on the ray or clockwise of it. */
-static PEL_NOINLINE_32 int64_t cross_of(const struct pel_cells *c, int32_t dx,
-                                        int32_t dy, int32_t height)
+static PEL_NOINLINE_32 int64_t cross_of(const struct pel_cells *c,
+                                        const struct pel_point *ray,
+                                        int32_t height)
 {
     const struct pel_conic *p = (const void *)c->gradient;
     const int32_t u = pel_pixel_center(c->x) - p->center.x;
-    return pel_product(dx, height) - pel_product(dy, u);
+    return pel_product(ray->x, height) - pel_product(ray->y, u);
 }
 
 /* Adds to c->whole up to the last angle that is not past the pixel in the first
@@ -28,7 +29,7 @@ static PEL_ALWAYS_INLINE void find_angle(struct pel_cells *c)
 {
     for (int32_t bit = HALF_TURN / 2; bit && c->direction; bit >>= 1) {
         const struct pel_point d = pel_direction((uint16_t)(c->whole + bit));
-        if (cross_of(c, d.x, d.y, c->remainder) >= 0)
+        if (cross_of(c, &d, c->remainder) >= 0)
             c->whole += bit;
     }
 }
@@ -38,15 +39,25 @@ static PEL_ALWAYS_INLINE void find_angle(struct pel_cells *c)
  * before the full turn, rows below at 0. On a ray or clockwise of it is beyond
  * it above the centre, before it below. The lowest 8 bits of the cross product
  * never change from pixel to pixel. */
-static PEL_HOT bool end_cells(struct pel_cells *c, int32_t count)
+static PEL_STEP void set_error(struct pel_cells *c, const struct pel_point *ray)
+{
+    const int64_t cross = cross_of(c, ray, height_of(c)) >> 8;
+    c->error = c->direction < 0 ? ~cross : cross;
+}
+
+static PEL_STEP bool move_angle(struct pel_cells *c, int32_t count)
 {
     const struct pel_conic *p = (const void *)c->gradient;
     pel_cells_move(c, count, p->width, p->remainder, p->base.period);
-    if ((uint32_t)(c->whole - 1) >> 16)
+    return (uint32_t)(c->whole - 1) >> 16;
+}
+
+static PEL_HOT bool end_cells(struct pel_cells *c, int32_t count)
+{
+    if (move_angle(c, count))
         return pel_cells_end_all(c);
     const struct pel_point d = pel_direction((uint16_t)c->whole);
-    const int64_t cross = cross_of(c, d.x, d.y, height_of(c)) >> 8;
-    c->error = c->direction < 0 ? ~cross : cross;
+    set_error(c, &d);
     return pel_cells_end(c, pel_magnitude(d.y), c->direction * d.x, 0);
 }
 
@@ -64,7 +75,7 @@ static PEL_NOINLINE_32 void first_row(struct pel_cells *c)
     if (PEL_CELL_ROWS > 1 && c->cell.step && v <= 0)
         c->cell.n = pel_min(
             c->cell.n, above ? pel_first_pixel(p->center.y) - c->cell.y : 1);
-    c->direction = (v < 0) - (v > 0);
+    c->direction = (pel_cell_direction)((v < 0) - (v > 0));
     c->whole = above || (v == 0 && left) ? HALF_TURN : 0;
     if (v == 0 && left)
         c->hi = pel_min(c->hi, split);
@@ -81,7 +92,7 @@ static PEL_NOINLINE_32 void set_cell(struct pel_cells *c)
     const uint32_t period = (uint32_t)p->base.period;
     const uint32_t turn = ((uint32_t)c->whole - p->start) & 0xFFFFu;
     uint32_t k = ((turn + 1) * period - 1) >> 16;
-    c->index = (int32_t)k;
+    c->index = (pel_cell_index)k;
     k = (k + (c->direction < 0)) << 16;
     const uint32_t begin = pel_divide(k, period);
     c->whole += (int32_t)(begin - turn);
@@ -95,9 +106,23 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
     set_cell(c);
 }
 
+static PEL_STEP void fill_rows(const struct pel_paint *paint,
+                               const struct pel_spans *spans, int32_t most,
+                               struct pel_span *run)
+{
+    struct pel_cells c;
+    pel_cells_begin(&c, paint, spans, most, run);
+    pel_cells_fill(&c, spans, start, end_cells);
+}
+
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
-    pel_cells_fill(paint, spans, PEL_CELL_ROWS, start, end_cells);
+    /* The ray takes the stack of a run. */
+    if (PEL_SHORT_STACK && spans->n <= PEL_ROWS) {
+        pel_cells_fill_fewer(paint, spans, PEL_ROWS - 1, fill_rows);
+        return;
+    }
+    pel_cells_fill_runs(paint, spans, PEL_CELL_ROWS, fill_rows);
 }
 
 static enum pel_status begin(struct pel_conic *paint, struct pel_point center,

@@ -51,15 +51,14 @@ static inline const uint8_t *places_of(uint32_t n, int32_t y)
 }
 
 /* At a time; one where stack is short. */
-enum { OUT_PIXELS = PEL_SMALL_CODE ? 1 : 8 };
+enum { OUT_PIXELS = PEL_SMALL_CODE ? 1 : PEL_AT_A_TIME(8, 1) };
 
 /* The source draws into this surface, whose format passes on what it is given
- * to the target's, dithered. */
+ * to the target's, dithered; surface.pixels points to the target. */
 struct proxy {
-    struct pel_surface surface;
-    const struct pel_surface *target;
-    struct pel_spans spans;    /* on it */
-    pel_color out[OUT_PIXELS]; /* of pixels: here they take no more stack */
+    struct pel_surface surface; /* first */
+    struct pel_spans spans;     /* on it */
+    pel_color out[OUT_PIXELS];  /* of pixels: here they take no more stack */
 };
 
 static struct proxy *proxy_of(const struct pel_surface *surface)
@@ -69,7 +68,7 @@ static struct proxy *proxy_of(const struct pel_surface *surface)
 
 static const struct pel_surface *target_of(const struct pel_surface *surface)
 {
-    return proxy_of(surface)->target;
+    return surface->pixels;
 }
 
 /* A channel of n bits. Of opaque colors the upper bits count, unless they are
@@ -81,9 +80,9 @@ static inline uint32_t dithered(uint32_t c, uint32_t n, uint32_t threshold,
     return opaque ? level << (8 - n) : pel_widen(level, (int)n);
 }
 
-static inline pel_color dithered_color(pel_color color,
-                                       const struct pel_surface *target,
-                                       int32_t x, int32_t y)
+static PEL_STEP pel_color dithered_color(pel_color color,
+                                         const struct pel_surface *target,
+                                         int32_t x, int32_t y)
 {
     const uint8_t *const depth = pel_smooth_depth(target);
     const bool opaque = color >= OPAQUE && !pel_is_smooth(target);
@@ -98,11 +97,12 @@ static inline pel_color dithered_color(pel_color color,
 }
 
 /* Dithers the first n colors of `out`, in place. */
-static PEL_NOINLINE_32 void dither_out(struct proxy *proxy, int32_t x,
-                                       int32_t y, int32_t n)
+static PEL_STEPS void dither_out(struct proxy *proxy, int32_t x, int32_t y,
+                                 int32_t n)
 {
+    const struct pel_surface *const target = target_of(&proxy->surface);
     for (pel_color *out = proxy->out; out < proxy->out + n; out++, x++)
-        *out = dithered_color(*out, proxy->target, x, y);
+        *out = dithered_color(*out, target, x, y);
 }
 
 /* Takes n colors, or as many as `out` holds: how many. `next` is from each to
@@ -121,8 +121,9 @@ static PEL_ALWAYS_INLINE int32_t take_colors(struct proxy *proxy, int32_t n,
 static PEL_ALWAYS_INLINE void put_out(struct proxy *proxy, int32_t x, int32_t y,
                                       int32_t n)
 {
+    const struct pel_surface *const target = target_of(&proxy->surface);
     dither_out(proxy, x, y, n);
-    proxy->target->format->put(proxy->target, x, y, n, proxy->out);
+    target->format->put(target, x, y, n, proxy->out);
 }
 
 /* n >= 1 pixels, each like the one eight before, which is `bits` bytes away. */
@@ -162,7 +163,7 @@ static PEL_HOT struct pel_row565 row565_of(const struct pel_surface *target,
 static PEL_ALWAYS_INLINE void fill_rows(const struct pel_spans *spans,
                                         pel_color color, bool swapped)
 {
-    const struct pel_surface *const s = spans->surface;
+    const struct pel_surface *const s = target_of(spans->surface);
     const struct pel_steps565 steps = pel_steps565_of(color);
     const struct pel_span *span = spans->span;
     int32_t y = spans->y;
@@ -309,7 +310,7 @@ static PEL_NOINLINE_32 const struct pel_spans *spans_of(
         return spans;
     proxy->surface = *spans->surface;
     proxy->surface.format = &proxy_format;
-    proxy->target = spans->surface;
+    proxy->surface.pixels = (void *)spans->surface;
     proxy->spans = *spans;
     proxy->spans.surface = &proxy->surface;
     return &proxy->spans;

@@ -1,65 +1,12 @@
 #include "paint_linear.h"
 
-#include "../base/divide.h"
-#include "cells.h"
+#include "cells_fill.h"
+#include "linear_cells.h"
 
 /* Cells of a pixel, from which on to find those of pixels takes less time than
  * to walk over all. */
 enum { NARROW = PEL_CELL_ROWS / 4 };
 enum { WIDEST = PEL_VECTORS ? 3 : 7 }; /* px: only narrower cells are walked */
-
-static inline bool is_padded(const struct pel_linear *p)
-{
-    return p->base.ramp.spread == PEL_PAD;
-}
-
-/* (P - from).d of a point. */
-static PEL_HOT int64_t along(const struct pel_linear *p, int32_t x, int32_t y)
-{
-    return pel_product(x - p->from.x, p->d.x) +
-           pel_product(y - p->from.y, p->d.y);
-}
-
-/* The product (P - from).d at pixel (x, y), or another that shows the same. Of
- * a padded gradient it is above -2^47, and |d|^2 at most. Of others lengths of
- * two ways, there and back, are taken away or added until it is above 0, and 2
- * |d|^2 at most: below 2^50. */
-static int64_t product_at(const struct pel_linear *p, int32_t x, int32_t y,
-                          bool padded)
-{
-    int64_t product = along(p, pel_pixel_center(x), pel_pixel_center(y));
-    int64_t step = p->square;
-    if (padded)
-        return product < step ? product : step;
-    int32_t count = 0;
-    for (; (uint32_t)(step >> 32) >> 17 == 0; count++)
-        step *= 2;
-    for (product += step; count; count--, step >>= 1)
-        if (product > step)
-            product -= step;
-    return product;
-}
-
-/* The error of the boundary where cell k begins is n product - k square, less 1
- * where the direction is turned: there boundaries belong to the cells before
- * them. Where it is walked in 32 bits, it is counted in units of 256 n, by
- * which n product grows from pixel to pixel, and what they leave, c->remainder.
- */
-static int32_t unit_of(const struct pel_linear *p)
-{
-    return p->base.cells * 256;
-}
-
-/* From the boundary of a cell to that of the next. */
-static inline void next_cell(struct pel_cells *c, const struct pel_linear *p)
-{
-    c->error -= p->cell;
-    c->remainder -= p->cell_remainder;
-    if (c->remainder < 0) {
-        c->remainder += unit_of(p);
-        c->error--;
-    }
-}
 
 static PEL_HOT bool end_cells(struct pel_cells *c, int32_t count)
 {
@@ -71,48 +18,8 @@ static PEL_HOT bool end_cells(struct pel_cells *c, int32_t count)
         c->error = error;
         return c->x < c->hi;
     }
-    do
-        next_cell(c, p);
-    while (--count);
+    next_cells(c, p, count);
     return pel_cells_end(c, p->d.x, p->d.y, 0);
-}
-
-/* The cell k of a pixel by its product, bit by bit of n, so that the error
- * where it begins is 0 or more and below square: its index. Where the direction
- * is padded, before it is the first cell, behind it the last one. */
-static int32_t find_cell(const struct pel_linear *p, int64_t product,
-                         bool padded, int64_t *remainder)
-{
-    const int32_t mirror = p->direction >> 31; /* -1 when turned, or 0 */
-    int64_t error = mirror;
-    /* n in the 15 upper bits makes room for k in the lower ones. */
-    uint32_t bits = (uint32_t)p->base.cells << 17;
-    for (int i = 15; i; i--) {
-        error = 2 * error - mirror;
-        if ((int32_t)bits < 0)
-            error += product;
-        for (bits *= 2; error >= p->square; bits++)
-            error -= p->square;
-    }
-    *remainder = error;
-    const int32_t n = p->base.cells, period = p->base.period;
-    int32_t index = mirror ? n - 1 - (int32_t)bits : (int32_t)bits;
-    while (index >= period)
-        index -= padded ? 1 : period;
-    return index < 0 ? index + period : index;
-}
-
-static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
-                                     const struct pel_linear *p,
-                                     int64_t product)
-{
-    c->direction = p->direction;
-    c->index = find_cell(p, product, is_padded(p), &c->error);
-    if (PEL_CELL_ROWS > 1) {
-        int64_t remainder;
-        c->error = pel_divide_64(c->error, unit_of(p), &remainder);
-        c->remainder = (int32_t)remainder;
-    }
 }
 
 /* From the row where the first pixel's product is lowest to the first. */
@@ -121,16 +28,18 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
     const struct pel_linear *p = (const void *)c->gradient;
     const int32_t last =
         PEL_CELL_ROWS > 1 && p->d.y < 0 ? (c->cell.n - 1) * c->cell.step : 0;
-    set_cell(c, p, product_at(p, c->x, c->cell.y + last, is_padded(p)));
+    (PEL_SHORT_STACK ? set_cell_here : set_cell)(
+        c, p, product_at(p, c->x, c->cell.y + last, is_padded(p)));
     if (PEL_CELL_ROWS > 1)
         c->error -= pel_product(p->d.y, last);
 }
 
 /* A row of a vertical gradient has one color. Neighbouring rows of one pixel
  * value are drawn together: at most 8 cells a row are in sight. */
-static PEL_NOINLINE_32 void fill_level(const struct pel_linear *p,
-                                       const struct pel_spans *spans)
+static void level_fill(const struct pel_paint *paint,
+                       const struct pel_spans *spans)
 {
+    const struct pel_linear *p = (const void *)paint;
     const int32_t growth = spans->step ? p->d.y : 0;
     const bool narrow = growth > 8 * p->cell; /* to walk them takes longer */
     struct pel_cells c;
@@ -142,18 +51,16 @@ static PEL_NOINLINE_32 void fill_level(const struct pel_linear *p,
             pel_cells_color(&c);
         }
         const uint32_t value = c.value;
-        void (*const draw)(const struct pel_spans *, uint32_t) = c.draw;
-        int32_t count = narrow ? 0 : pel_cells_pass(&c, 8 * left);
+        const pel_cell_draw draw = c.draw;
+        const int32_t count = narrow ? 0 : pel_cells_pass(&c, 8 * left);
         rows.n = narrow ? 1 : left;
         if (count > 0) {
-            do
-                next_cell(&c, p);
-            while (--count);
+            next_cells(&c, p, count);
             for (rows.n = 0; c.error < 0 && rows.n < left; rows.n++)
                 c.error += growth;
         }
         if (rows.n > 0)
-            pel_fill_value(&rows, value, draw);
+            pel_cells_paint(&rows, value, draw);
         rows.span += rows.n;
         rows.y += rows.n * rows.step;
     }
@@ -175,10 +82,10 @@ struct row_walk {
 static PEL_NOINLINE_32 void set_step(struct row_walk *w)
 {
     const struct pel_linear *p = w->paint;
-    int64_t index;
     w->step.outside = is_padded(p) ? 256 * (int64_t)p->d.x : 0;
-    index = pel_divide_64(p->step, p->square, &w->step.error);
-    (void)pel_divide_64(index, p->base.period, &index);
+    w->step.error = p->step;
+    int64_t index = pel_divide_64(&w->step.error, p->square);
+    (void)pel_divide_64(&index, p->base.period);
     w->step.index = (int32_t)index * p->direction;
 }
 
@@ -188,7 +95,8 @@ static PEL_NOINLINE_32 void row_walk_start(void *walk, int32_t x, int32_t y)
     const struct pel_linear *p = w->paint;
     const int64_t product = along(p, pel_pixel_center(x), pel_pixel_center(y));
     w->at.outside = is_padded(p) ? product + (p->direction >> 31) : 0;
-    w->at.index = find_cell(p, product_at(p, x, y, false), false, &w->at.error);
+    w->at.error = product_at(p, x, y, false);
+    w->at.index = find_cell(p, false, &w->at.error);
 }
 
 static PEL_NOINLINE_32 void row_walk_colors(void *walk, int32_t n,
@@ -226,26 +134,31 @@ static PEL_NOINLINE_32 void fill_pixels(const struct pel_linear *p,
     pel_cells_put(spans, &w, row_walk_start, row_walk_colors);
 }
 
-/* Rows are drawn one by one where boundaries lie far apart from row to row, and
- * rows cross many of them. */
-static void fill_cells(const struct pel_paint *paint,
-                       const struct pel_spans *spans)
+static PEL_STEP void fill_rows(const struct pel_paint *paint,
+                               const struct pel_spans *spans, int32_t most,
+                               struct pel_span *run)
 {
-    const struct pel_linear *p = (const void *)paint;
+    struct pel_cells c;
+    pel_cells_begin(&c, paint, spans, most, run);
+    pel_cells_fill(&c, spans, start, end_cells);
+}
+
+/* Rows are drawn one by one where boundaries lie far apart from row to row, and
+ * rows cross many of them. 0: cells are narrow. */
+static PEL_STEP int32_t rows_at_a_time(const struct pel_linear *p,
+                                       const struct pel_spans *spans)
+{
     const int64_t down = pel_size_of(p->d.y);
-    const bool narrow = PEL_CELL_ROWS > 1 && p->step >= NARROW * p->square &&
-                        pel_cells_are_many(&p->base, spans);
-    const bool far = PEL_CELL_ROWS > 1 && down > 32 * p->d.x && down > p->cell;
-    const int32_t rows = far ? 1 : PEL_CELL_ROWS;
-    if (narrow && spans->surface->format->put)
-        fill_pixels(p, spans);
-    else
-        pel_cells_fill(paint, spans, narrow ? 0 : rows, start, end_cells);
+    if (PEL_CELL_ROWS > 1 && p->step >= NARROW * p->square &&
+        pel_cells_are_many(&p->base, spans))
+        return 0;
+    return down > 32 * p->d.x && down > p->cell ? 1 : PEL_CELL_ROWS;
 }
 
 /* Opaque, and of cells that are 1/2 to WIDEST px wide: vectors are faster with
  * others. */
-static bool can_walk(const struct pel_linear *p, const struct pel_channels *c)
+static PEL_STEP bool can_walk(const struct pel_linear *p,
+                              const struct pel_channels *c)
 {
     const pel_color *const colors = p->base.ramp.colors;
     return c && c->walk && p->base.ramp.n == 2 &&
@@ -267,7 +180,7 @@ static PEL_NOINLINE_32 bool fill_walked(const struct pel_linear *p,
     const int32_t last = spans->n - 1;
     struct pel_span hull;
     struct pel_cells c;
-    if (!can_walk(p, channels) || !pel_spans_hull(&hull, spans->span, spans->n))
+    if (!pel_spans_hull(&hull, spans->span, spans->n))
         return false;
     const int64_t least = product_at(
         p, hull.x0, spans->y + up * last * spans->step, is_padded(p));
@@ -280,9 +193,9 @@ static PEL_NOINLINE_32 bool fill_walked(const struct pel_linear *p,
                             .step = p->d.x};
     c.gradient = &p->base;
     set_cell(&c, p, least);
-    next_cell(&c, p);
+    next_cells(&c, p, 1);
     for (int32_t i = 0; i <= last; i++, c.error += growth) {
-        for (; c.error >= 0; next_cell(&c, p))
+        for (; c.error >= 0; next_cells(&c, p, 1))
             pel_cells_go(&c);
         const int32_t k = up ? last - i : i;
         const struct pel_span run = spans->span[k];
@@ -301,12 +214,23 @@ static PEL_NOINLINE_32 bool fill_walked(const struct pel_linear *p,
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_linear *p = (const void *)paint;
-    if (PEL_CELL_ROWS > 1 && p->d.x == 0)
-        fill_level(p, spans);
-    else if (PEL_CELL_ROWS == 1 ||
-             ((p->d.y || !pel_cells_copy(&p->base, spans, fill_cells)) &&
-              !fill_walked(p, spans)))
-        fill_cells(paint, spans);
+    if (PEL_CELL_ROWS > 1 && can_walk(p, spans->surface->format->channels) &&
+        fill_walked(p, spans))
+        return;
+    const int32_t rows =
+        PEL_CELL_ROWS == 1 ? PEL_CELL_ROWS : rows_at_a_time(p, spans);
+    if (rows == 0 && spans->surface->format->put)
+        fill_pixels(p, spans);
+    else
+        pel_cells_fill_runs(paint, spans, rows, fill_rows);
+}
+
+/* A horizontal gradient. */
+static void across_fill(const struct pel_paint *paint,
+                        const struct pel_spans *spans)
+{
+    if (!pel_cells_copy((const void *)paint, spans, fill))
+        fill(paint, spans);
 }
 
 enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
@@ -321,7 +245,9 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     struct pel_point d = {to.x - from.x, to.y - from.y};
     if ((d.x | d.y) == 0)
         return PEL_ERROR_SIZE;
-    paint->base.paint.fill = fill;
+    paint->base.paint.fill = PEL_CELL_ROWS == 1 || (d.x && d.y) ? fill
+                             : d.x                              ? across_fill
+                                                                : level_fill;
     const int32_t onward = d.x || PEL_CELL_ROWS == 1 ? d.x : d.y;
     paint->direction = (onward > 0) - (onward < 0);
     if (paint->direction < 0) {
@@ -333,8 +259,8 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     paint->square = along(paint, from.x + d.x, from.y + d.y);
     paint->step = pel_product(unit_of(paint), d.x);
     if (PEL_CELL_ROWS > 1) {
-        int64_t remainder;
-        paint->cell = pel_divide_64(paint->square, unit_of(paint), &remainder);
+        int64_t remainder = paint->square;
+        paint->cell = pel_divide_64(&remainder, unit_of(paint));
         paint->cell_remainder = (int32_t)remainder;
     }
     return PEL_OK;

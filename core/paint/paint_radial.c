@@ -2,7 +2,7 @@
 
 #include "../base/divide.h"
 #include "../raster/edge.h"
-#include "cells.h"
+#include "cells_fill.h"
 
 /* Rings narrower than so many 1/256 px are not walked over one by one. */
 enum { NARROW = 256 / PEL_CELL_ROWS };
@@ -32,14 +32,20 @@ static PEL_NOINLINE_32 void add_circle(struct pel_cells *c,
     c->error += direction < 0 ? -square : square;
 }
 
+static PEL_STEP void move_circle(struct pel_cells *c,
+                                 const struct pel_radial *p, int32_t count)
+{
+    add_circle(c, p, c->direction);
+    pel_cells_move(c, count, p->width, p->remainder, p->base.cells);
+    add_circle(c, p, -c->direction);
+}
+
 static PEL_HOT bool end_cells(struct pel_cells *c, int32_t count)
 {
     const struct pel_radial *p = (const void *)c->gradient;
+    move_circle(c, p, count);
     const struct pel_point center = p->rings.center;
     const int32_t direction = c->direction;
-    add_circle(c, p, direction);
-    pel_cells_move(c, count, p->width, p->remainder, p->base.cells);
-    add_circle(c, p, -direction);
     return pel_cells_end(
         c, direction * (pel_pixel_center(c->x) - center.x + 128),
         direction * (pel_pixel_center(c->cell.y) - center.y + 128),
@@ -91,18 +97,18 @@ static PEL_NOINLINE_32 void find_ring(struct pel_cells *c,
         part = most;
     }
     const bool beyond = part > most;
-    c->index = pel_cells_index(&p->base, copy + beyond,
-                               part + p->first - (beyond ? n : 0));
+    c->index = (pel_cell_index)pel_cells_index(
+        &p->base, copy + beyond, part + p->first - (beyond ? n : 0));
     const int64_t ring = pel_product(part + (c->direction < 0), radius);
     const int32_t begin = quotient(ring, n);
     c->whole = copy * radius + begin;
     c->remainder = (int32_t)((uint32_t)ring - (uint32_t)begin * (uint32_t)n);
 }
 
-/* The part of the batch on one side. */
-static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
+/* Chooses the part of the batch on one side, and measures the square of the
+ * distance of the pixel where the walk begins. */
+static PEL_STEP void start_side(struct pel_cells *c, const struct pel_radial *p)
 {
-    const struct pel_radial *p = (const void *)c->gradient;
     const int32_t split = pel_first_pixel(p->rings.center.x);
     c->direction = 1;
     if (c->x < split) {
@@ -110,12 +116,24 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
         c->hi = pel_min(c->hi, split);
     }
     c->error = pel_radial_square(p, c->x, first_row(c, p->rings.center.y));
-    c->whole = root_of(c->error);
-    find_ring(c, p);
+}
+
+static PEL_STEP void start_error(struct pel_cells *c,
+                                 const struct pel_radial *p)
+{
     c->error = (pel_radial_square(p, c->x, c->cell.y) >> 9) - 1;
     if (c->direction < 0)
         c->error = ~c->error;
     add_circle(c, p, -c->direction);
+}
+
+static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
+{
+    const struct pel_radial *p = (const void *)c->gradient;
+    start_side(c, p);
+    c->whole = root_of(c->error);
+    find_ring(c, p);
+    start_error(c, p);
 }
 
 /* A walk along a row from pixel to pixel, over many rings: the largest whole
@@ -202,20 +220,34 @@ static PEL_NOINLINE_32 void fill_pixels(const struct pel_radial *p,
     pel_cells_put(spans, &w, row_walk_start, row_walk_colors);
 }
 
+static PEL_STEP void fill_rows(const struct pel_paint *paint,
+                               const struct pel_spans *spans, int32_t most,
+                               struct pel_span *run)
+{
+    struct pel_cells c;
+    pel_cells_begin(&c, paint, spans, most, run);
+    pel_cells_fill(&c, spans, start, end_cells);
+}
+
 /* Of rings so narrow that a pixel has many of them. */
+static PEL_STEP bool is_narrow(const struct pel_radial *p,
+                               const struct pel_spans *spans)
+{
+    return PEL_CELL_ROWS > 1 && p->rings.radius < NARROW * p->base.cells &&
+           pel_cells_are_many(&p->base, spans);
+}
+
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_radial *p = (const void *)paint;
-    const bool narrow = PEL_CELL_ROWS > 1 &&
-                        p->rings.radius < NARROW * p->base.cells &&
-                        pel_cells_are_many(&p->base, spans);
+    const bool narrow = is_narrow(p, spans);
     if (PEL_FAST_FILLS && PEL_64BIT && pel_radial_fast(p, spans))
         return;
     if (narrow && spans->surface->format->put)
         fill_pixels(p, spans);
     else
-        pel_cells_fill(paint, spans, narrow ? 0 : PEL_CELL_ROWS, start,
-                       end_cells);
+        pel_cells_fill_runs(paint, spans, narrow ? 0 : PEL_CELL_ROWS,
+                            fill_rows);
 }
 
 enum pel_status pel_radial_init(struct pel_radial *paint,

@@ -33,6 +33,16 @@ static PEL_SHARED pel_color pel_texel_of_565(uint32_t w)
                    pel_widen(w & 31, 5));
 }
 
+/* By the format. */
+static PEL_STEP PEL_UNUSED pel_color
+pel_texel_loaded(const struct pel_texture *p, int32_t u, int32_t v)
+{
+    const struct pel_surface *const s = p->surface;
+    pel_color color;
+    s->format->load(s, u + s->bounds.x0, v + s->bounds.y0, 1, &color);
+    return color;
+}
+
 static PEL_HOT pel_color pel_texel(const struct pel_texture *p, int kind,
                                    int32_t u, int32_t v)
 {
@@ -45,33 +55,23 @@ static PEL_HOT pel_color pel_texel(const struct pel_texture *p, int kind,
         return pel_texel_of_565(PEL_LE16(((const pel_word16 *)line)[u]));
     if (!PEL_SMALL_CODE && kind == PEL_TEXTURE_BYTE)
         return p->surface->format->unpack(((const uint8_t *)line)[u]);
-    pel_color color;
-    p->surface->format->load(p->surface, u + p->surface->bounds.x0,
-                             v + p->surface->bounds.y0, 1, &color);
-    return color;
+    return pel_texel_loaded(p, u, v);
 }
 
-/* The coordinate at pixel (x, y). */
-static inline uint64_t pel_texture_at(const struct pel_plane *p, int32_t x,
-                                      int32_t y)
-{
-    return p->at + pel_times(p->dx, x) + pel_times(p->dy, y);
-}
-
-/* One coordinate along a run, in 2^-32 texels. `period` is after how many
- * texels the picture begins again; 0 with PEL_WRAP_CLAMP: it does not. */
-struct pel_texture_axis {
-    uint64_t at;
+/* One side of a picture. `period` is after how many texels it begins again; 0
+ * with PEL_WRAP_CLAMP: it does not. */
+struct pel_texture_side {
     int32_t size, period;
 };
 
-static inline void pel_texture_axis_wrap(struct pel_texture_axis *a,
-                                         int32_t size, int wrap)
+static inline struct pel_texture_side pel_texture_side_of(int32_t size,
+                                                          int wrap)
 {
-    a->size = size;
-    a->period = wrap == PEL_WRAP_CLAMP ? 0 : size;
-    if (wrap == PEL_WRAP_MIRROR)
-        a->period *= 2;
+    const struct pel_texture_side side = {size, wrap == PEL_WRAP_CLAMP ? 0
+                                                : wrap == PEL_WRAP_MIRROR
+                                                    ? 2 * size
+                                                    : size};
+    return side;
 }
 
 /* Sizes that are powers of two repeat by a mask, which is size - 1. */
@@ -80,79 +80,101 @@ static inline bool pel_texture_is_masked(int32_t size, int wrap)
     return wrap == PEL_WRAP_REPEAT && (size & (size - 1)) == 0;
 }
 
-/* Are texel(s) `at` to `at + more` of all n pixels inside the picture? */
-static inline bool pel_texture_axis_inside(const struct pel_texture_axis *a,
-                                           uint64_t step, int32_t n,
-                                           int32_t more)
+/* The whole texels of a coordinate, brought back into one period by a floored
+ * modulo, but for PEL_WRAP_CLAMP. */
+static PEL_STEP PEL_UNUSED int32_t pel_texture_wrap(uint64_t *at,
+                                                    int32_t period)
 {
-    uint64_t last = a->at + pel_times(step, n - 1);
-    uint32_t inner = (uint32_t)(a->size - more);
-    return (uint32_t)(a->at >> 32) < inner && (uint32_t)(last >> 32) < inner;
+    int32_t i = (int32_t)(*at >> 32) % period;
+    i += i < 0 ? period : 0;
+    *at = (uint64_t)(uint32_t)i << 32 | (*at & 0xFFFFFFFFu);
+    return i;
 }
 
-/* The whole texels of the coordinate, brought back into one period by a floored
- * modulo, but for PEL_WRAP_CLAMP. */
-static PEL_SHARED int32_t pel_texture_axis_index(struct pel_texture_axis *a)
+static PEL_SHARED int32_t pel_texture_index(uint64_t *at, int32_t period)
 {
-    int32_t i = (int32_t)(a->at >> 32);
-    if ((uint32_t)i < (uint32_t)a->period || a->period == 0)
-        return i;
-    pel_floor_divide(i, a->period, &i);
-    a->at = (uint64_t)(uint32_t)i << 32 | (a->at & 0xFFFFFFFFu);
-    return i;
+    const int32_t i = (int32_t)(*at >> 32);
+    return (uint32_t)i < (uint32_t)period || period == 0
+               ? i
+               : pel_texture_wrap(at, period);
 }
 
 /* The texel of index i, or the one that stands for it; without PEL_WRAP_CLAMP i
  * is from 0 to the period. */
-static PEL_SHARED int32_t
-pel_texture_axis_texel(const struct pel_texture_axis *a, int32_t i)
+static PEL_SHARED int32_t pel_texture_texel(struct pel_texture_side s,
+                                            int32_t i)
 {
-    if ((uint32_t)i < (uint32_t)a->size)
+    if ((uint32_t)i < (uint32_t)s.size)
         return i;
-    if (a->period == 0)
-        return i < 0 ? 0 : a->size - 1;
-    return i == a->period ? 0 : 2 * a->size - 1 - i;
+    if (s.period == 0)
+        return i < 0 ? 0 : s.size - 1;
+    return i == s.period ? 0 : 2 * s.size - 1 - i;
 }
 
-/* Both coordinates. */
+/* Both coordinates along a run, in 2^-32 texels. */
 struct pel_texture_axes {
-    struct pel_texture_axis u, v;
+    uint64_t u, v;
 };
 
-/* From pixel (x, y) on, less `back`. */
-static inline void pel_texture_axes_start(struct pel_texture_axes *a,
-                                          const struct pel_texture *p,
-                                          int32_t x, int32_t y, uint32_t back)
+/* At pixel (x, y). */
+static PEL_STEP PEL_UNUSED void pel_texture_start(uint64_t *at,
+                                                  const struct pel_plane *p,
+                                                  int32_t x, int32_t y)
 {
-    a->u.at = pel_texture_at(&p->map.u, x, y) - back;
-    a->v.at = pel_texture_at(&p->map.v, x, y) - back;
-    pel_texture_axis_wrap(&a->u, p->width, p->wrap_u);
-    pel_texture_axis_wrap(&a->v, p->height, p->wrap_v);
+    *at = p->at;
+    *at += pel_times(p->dx, x);
+    *at += pel_times(p->dy, y);
+}
+
+/* From pixel (x, y) on. */
+static PEL_ALWAYS_INLINE void pel_texture_axes_start(
+    struct pel_texture_axes *a, const struct pel_texture *p, int32_t x,
+    int32_t y)
+{
+    pel_texture_start(&a->u, &p->map.u, x, y);
+    pel_texture_start(&a->v, &p->map.v, x, y);
 }
 
 /* One pixel to the right. */
-static inline void pel_texture_axes_step(struct pel_texture_axes *a,
-                                         const struct pel_texture *p)
+static PEL_ALWAYS_INLINE void pel_texture_axes_step(struct pel_texture_axes *a,
+                                                    const struct pel_texture *p)
 {
-    a->u.at += p->map.u.dx;
-    a->v.at += p->map.v.dx;
+    a->u += p->map.u.dx;
+    a->v += p->map.v.dx;
+}
+
+/* Is the first texel of each of n pixels one of the first `inner` ones? */
+static PEL_STEP PEL_UNUSED bool pel_texture_inside(const uint64_t *at,
+                                                   const struct pel_plane *p,
+                                                   int32_t n, int32_t inner)
+{
+    if ((uint32_t)(*at >> 32) >= (uint32_t)inner)
+        return false;
+    const uint64_t last = *at + pel_times(p->dx, n - 1);
+    return (uint32_t)(last >> 32) < (uint32_t)inner;
 }
 
 /* Are texels `at` to `at + more` of n pixels inside the picture, both ways? */
-static inline bool pel_texture_axes_inside(const struct pel_texture_axes *a,
-                                           const struct pel_texture *p,
-                                           int32_t n, int32_t more)
+static PEL_ALWAYS_INLINE bool pel_texture_axes_inside(
+    const struct pel_texture_axes *a, const struct pel_texture *p, int32_t n,
+    int32_t more)
 {
-    return pel_texture_axis_inside(&a->u, p->map.u.dx, n, more) &&
-           pel_texture_axis_inside(&a->v, p->map.v.dx, n, more);
+    return pel_texture_inside(&a->u, &p->map.u, n, p->width - more) &&
+           pel_texture_inside(&a->v, &p->map.v, n, p->height - more);
+}
+
+/* Is there a loop for a run inside the picture? Calls in it take stack. */
+static inline bool pel_texture_has_run(const struct pel_texture *p)
+{
+    return !PEL_SMALL_CODE && (!PEL_SHORT_STACK || p->kind < PEL_TEXTURE_BYTE);
 }
 
 /* A run by a function that is inlined: each kind has a loop of its own. */
 static PEL_ALWAYS_INLINE void pel_texture_run(
-    const struct pel_texture *p, const struct pel_texture_axes *a, int32_t n,
+    const struct pel_texture *p, struct pel_texture_axes *a, int32_t n,
     pel_color *out,
     void (*run)(const struct pel_texture *p, int kind,
-                const struct pel_texture_axes *a, int32_t n, pel_color *out))
+                struct pel_texture_axes *a, int32_t n, pel_color *out))
 {
     if (p->kind == PEL_TEXTURE_COLORS)
         run(p, PEL_TEXTURE_COLORS, a, n, out);

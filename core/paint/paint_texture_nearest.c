@@ -1,42 +1,49 @@
 #include "../format/word.h"
 #include "paint_texture_fetch.h"
 
-/* The texel where the axis is, or the one that stands for it. */
-static inline int32_t in_picture(struct pel_texture_axis *a)
+/* The texel where the coordinate is, or the one that stands for it. */
+static inline int32_t in_picture(uint64_t *at, struct pel_texture_side side)
 {
-    return pel_texture_axis_texel(a, pel_texture_axis_index(a));
+    return pel_texture_texel(side, pel_texture_index(at, side.period));
 }
 
-static PEL_NOINLINE_32 void outer_run(const struct pel_texture *p,
-                                      struct pel_texture_axes *a, int32_t n,
-                                      pel_color *out)
+static void outer_run(const struct pel_texture *p, struct pel_texture_axes *a,
+                      int32_t n, pel_color *out)
 {
+    const struct pel_texture_side across =
+        pel_texture_side_of(p->width, p->wrap_u);
+    const struct pel_texture_side down =
+        pel_texture_side_of(p->height, p->wrap_v);
     for (; n > 0; n--, pel_texture_axes_step(a, p)) {
-        int32_t u = in_picture(&a->u), v = in_picture(&a->v);
+        int32_t u = in_picture(&a->u, across), v = in_picture(&a->v, down);
         *out++ = pel_texel(p, p->kind, u, v);
     }
 }
 
 /* A run that does not leave the picture. */
 static PEL_ALWAYS_INLINE void inner_run(const struct pel_texture *p, int kind,
-                                        const struct pel_texture_axes *a,
-                                        int32_t n, pel_color *out)
+                                        struct pel_texture_axes *a, int32_t n,
+                                        pel_color *out)
 {
-    const uint64_t du = p->map.u.dx, dv = p->map.v.dx;
-    uint64_t u = a->u.at, v = a->v.at;
+    struct pel_texture_axes at = *a;
     do {
-        *out++ = pel_texel(p, kind, (int32_t)(u >> 32), (int32_t)(v >> 32));
-        u += du;
-        v += dv;
+        *out++ =
+            pel_texel(p, kind, (int32_t)(at.u >> 32), (int32_t)(at.v >> 32));
+        pel_texture_axes_step(&at, p);
     } while (--n);
 }
 
-/* Does a run of n pixels stay inside the picture? */
-static inline bool start(struct pel_texture_axes *a,
-                         const struct pel_texture *p, int32_t x, int32_t y,
-                         int32_t n)
+static PEL_STEP void inner_runs(const struct pel_texture *p,
+                                struct pel_texture_axes *a, int32_t n,
+                                pel_color *out)
 {
-    pel_texture_axes_start(a, p, x, y, 0);
+    pel_texture_run(p, a, n, out, inner_run);
+}
+
+/* Does a run of n pixels stay inside the picture? */
+static PEL_ALWAYS_INLINE bool is_inner(const struct pel_texture_axes *a,
+                                       const struct pel_texture *p, int32_t n)
+{
     return pel_texture_axes_inside(a, p, n, 0);
 }
 
@@ -45,8 +52,9 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
 {
     const struct pel_texture *p = (const void *)paint;
     struct pel_texture_axes a;
-    if (start(&a, p, x, y, n) && !PEL_SMALL_CODE)
-        pel_texture_run(p, &a, n, out, inner_run);
+    pel_texture_axes_start(&a, p, x, y);
+    if (is_inner(&a, p, n) && !PEL_SMALL_CODE)
+        inner_runs(p, &a, n, out);
     else
         outer_run(p, &a, n, out);
 }
@@ -102,10 +110,10 @@ static struct inner inner_start(const struct pel_texture *p,
     const uint64_t du = p->map.u.dx, dv = p->map.v.dx;
     const uint32_t stride = (uint32_t)p->stride;
     const uint32_t texels = (uint32_t)(p->stride / 2);
-    return (struct inner){(uint32_t)p->memory + whole(a->v.at) * stride,
-                          whole(a->u.at),
-                          (uint32_t)a->u.at,
-                          (uint32_t)a->v.at,
+    return (struct inner){(uint32_t)p->memory + whole(a->v) * stride,
+                          whole(a->u),
+                          (uint32_t)a->u,
+                          (uint32_t)a->v,
                           stride,
                           whole(du) + whole(dv) * texels,
                           (uint32_t)du,
@@ -139,7 +147,7 @@ static PEL_NOINLINE void copy_inner_run(const struct copy *c,
     const uint8_t *const memory = p->memory;
     const int32_t stride = p->stride;
     const uint64_t du = p->map.u.dx, dv = p->map.v.dx;
-    uint64_t u = a->u.at, v = a->v.at;
+    uint64_t u = a->u, v = a->v;
     pel_word16 *const end = c->end;
     for (pel_word16 *out = c->out; out != end; u += du, v += dv)
         *out++ =
@@ -156,7 +164,7 @@ static PEL_NOINLINE void copy_masked_run(const struct copy *c,
     const uint8_t *const memory = p->memory;
     const int32_t stride = p->stride;
     const uint64_t du = p->map.u.dx, dv = p->map.v.dx;
-    uint64_t u = a->u.at, v = a->v.at;
+    uint64_t u = a->u, v = a->v;
     pel_word16 *const end = c->end;
     for (pel_word16 *out = c->out; out != end; u += du, v += dv)
         *out++ = texel16(memory, stride, (int32_t)(u >> 32) & u_mask,
@@ -167,9 +175,13 @@ static PEL_NOINLINE void copy_outer_run(const struct copy *c,
                                         struct pel_texture_axes *a)
 {
     const struct pel_texture *p = c->paint;
+    const struct pel_texture_side across =
+        pel_texture_side_of(p->width, p->wrap_u);
+    const struct pel_texture_side down =
+        pel_texture_side_of(p->height, p->wrap_v);
     for (pel_word16 *out = c->out; out != c->end; out++) {
-        *out =
-            texel16(p->memory, p->stride, in_picture(&a->u), in_picture(&a->v));
+        *out = texel16(p->memory, p->stride, in_picture(&a->u, across),
+                       in_picture(&a->v, down));
         pel_texture_axes_step(a, p);
     }
 }
@@ -177,10 +189,11 @@ static PEL_NOINLINE void copy_outer_run(const struct copy *c,
 static void copy_run(const struct copy *c, int32_t x, int32_t y)
 {
     struct pel_texture_axes a;
-    if (start(&a, c->paint, x, y, (int32_t)(c->end - c->out)))
+    pel_texture_axes_start(&a, c->paint, x, y);
+    if (is_inner(&a, c->paint, (int32_t)(c->end - c->out)))
         copy_inner_run(c, &a);
-    else if (pel_texture_is_masked(a.u.size, c->paint->wrap_u) &&
-             pel_texture_is_masked(a.v.size, c->paint->wrap_v))
+    else if (pel_texture_is_masked(c->paint->width, c->paint->wrap_u) &&
+             pel_texture_is_masked(c->paint->height, c->paint->wrap_v))
         copy_masked_run(c, &a);
     else
         copy_outer_run(c, &a);
@@ -229,6 +242,7 @@ enum pel_status pel_texture_init_nearest(struct pel_texture *paint,
     if (status != PEL_OK)
         return status;
     pel_color_paint_init(&paint->base, colors, paint->base.opaque);
-    paint->base.paint.fill = fill;
+    if (PEL_FAST_FILLS || paint->surface) /* else nothing is copied */
+        paint->base.paint.fill = fill;
     return PEL_OK;
 }

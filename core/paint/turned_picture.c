@@ -8,8 +8,8 @@
  * most 2^48 / 2^12 = 2^36. */
 static int64_t texels_a_pixel(int32_t c, int32_t scale)
 {
-    int64_t rest;
-    return pel_divide_64(c * (INT64_C(1) << 33), scale, &rest);
+    int64_t rest = c * (INT64_C(1) << 33);
+    return pel_divide_64(&rest, scale);
 }
 
 /* The plane that is `value`, 1/256 texel, at the point `at`. |at - centre| <

@@ -63,9 +63,9 @@ static void add_to_sweep(struct pel_sides *sides, int32_t x, int32_t y)
 static bool paint_sweep(struct pel_sides *sides)
 {
     struct fill *const f = (struct fill *)(void *)sides;
-    const int32_t count = f->sweep->count;
+    const int32_t spare = f->sweep->room - 2 * f->sweep->count;
     pel_sweep_paint(f->sweep, f->surface, f->paint);
-    return count <= f->sweep->room / 2;
+    return spare >= 0;
 }
 
 static const struct pel_sides_kind fill_kind = {

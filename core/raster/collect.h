@@ -10,7 +10,7 @@
  * PEL_SMALL_CODE on CPUs of 32 bits, where there is little. */
 enum {
     PEL_COLLECT_ROWS =
-        !PEL_64BIT && PEL_SMALL_CODE ? PEL_BATCH_ROWS / 2 : PEL_BATCH_ROWS
+        !PEL_64BIT && PEL_SMALL_CODE ? PEL_BATCH_ROWS / 2 : PEL_ROWS
 };
 
 struct pel_collector {

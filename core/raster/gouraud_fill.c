@@ -89,14 +89,14 @@ static PEL_NOINLINE bool fill_planes(const struct pel_gouraud *g,
 static PEL_NOINLINE void fill_any(const struct pel_gouraud *g,
                                   const struct pel_spans *spans)
 {
-    pel_color colors[PEL_BUFFER_PIXELS];
+    pel_color colors[PEL_COLORS];
     int32_t y = spans->y;
     for (int32_t i = 0; i < spans->n; i++, y += spans->step) {
         struct pel_span part = spans->span[i];
         if (!PEL_SMALL_CODE && fill_planes(g, spans->surface, y, &part))
             continue;
         for (int32_t n; part.x0 < part.x1; part.x0 += n) {
-            n = pel_min(part.x1 - part.x0, PEL_BUFFER_PIXELS);
+            n = pel_min(part.x1 - part.x0, PEL_COLORS);
             colors_of_span(g, part.x0, y, n, colors);
             pel_put_colors(spans->surface, part.x0, y, n, colors);
         }

@@ -111,8 +111,9 @@ static void put_packed(const struct pixels *l, const struct pel_surface *s,
 }
 
 /* False when it is another line, or a format of no usual display. */
-static bool put_pixels(const struct pel_surface *s, const struct pel_rect *p,
-                       const struct pel_paint *paint)
+static PEL_HOT_LOOP bool put_pixels(const struct pel_surface *s,
+                                    const struct pel_rect *p,
+                                    const struct pel_paint *paint)
 {
     const struct pel_format *f = s->format;
     const struct pel_rect *clip = &s->clip;
@@ -226,10 +227,10 @@ static void fill(struct walk *w, const struct pel_surface *surface, int32_t y,
                  int32_t end, const struct pel_paint *paint)
 {
     const struct pel_rect *clip = &surface->clip;
-    struct pel_span span[PEL_BATCH_ROWS];
+    struct pel_span span[PEL_ROWS];
     struct pel_spans spans = {surface, span, y, 0, 1};
     for (; spans.y < end; spans.y += spans.n) {
-        spans.n = pel_min(end - spans.y, PEL_BATCH_ROWS);
+        spans.n = pel_min(end - spans.y, PEL_ROWS);
         for (int32_t i = 0; i < spans.n; i++) {
             next_span(w, spans.y + i, &span[i]);
             span[i].x0 = pel_max(span[i].x0, clip->x0);

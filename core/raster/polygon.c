@@ -28,9 +28,8 @@ int pel_polygon_visible(const struct pel_polygon_shape *polygon,
 }
 
 /* As pel_polygon_visible. */
-static PEL_NOINLINE int check(const struct pel_polygon_shape *p,
-                              const void *scratch, size_t size,
-                              const struct pel_rect *clip)
+static int check(const struct pel_polygon_shape *p, const void *scratch,
+                 size_t size, const struct pel_rect *clip)
 {
     if (!p->v || !scratch)
         return PEL_ERROR_NULL;
@@ -41,16 +40,20 @@ static PEL_NOINLINE int check(const struct pel_polygon_shape *p,
     return pel_polygon_visible(p, clip);
 }
 
-/* A function of its own, to spare the stack of the paint. */
-static PEL_NOINLINE_32 void add_sides(struct pel_sweep *w,
-                                      const struct pel_polygon_shape *polygon,
-                                      const struct pel_rect *clip)
+int pel_polygon_begin(const struct pel_polygon_shape *polygon, void *scratch,
+                      size_t size, const struct pel_rect *clip)
 {
+    const int visible = check(polygon, scratch, size, clip);
+    if (visible <= 0)
+        return visible;
+    struct pel_sweep *const w =
+        pel_sweep_begin(scratch, polygon->n, polygon->rule);
     const struct pel_point *previous = &polygon->v[polygon->n - 1];
     for (int32_t i = 0; i < polygon->n; i++) {
         pel_sweep_add(w, previous, &polygon->v[i], clip->y0, clip->y1);
         previous = &polygon->v[i];
     }
+    return visible;
 }
 
 enum pel_status pel_polygon(const struct pel_surface *surface,
@@ -62,12 +65,8 @@ enum pel_status pel_polygon(const struct pel_surface *surface,
         return PEL_ERROR_NULL;
     if (polygon->n < 3)
         return PEL_OK;
-    const int visible = check(polygon, scratch, size, &surface->clip);
-    if (visible <= 0)
-        return (enum pel_status)visible;
-
-    struct pel_sweep *const w =
-        pel_sweep_begin(scratch, polygon->n, polygon->rule);
-    add_sides(w, polygon, &surface->clip);
-    return pel_sweep_paint(w, surface, paint);
+    const int visible =
+        pel_polygon_begin(polygon, scratch, size, &surface->clip);
+    return visible > 0 ? pel_sweep_paint(scratch, surface, paint)
+                       : (enum pel_status)visible;
 }

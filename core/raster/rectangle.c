@@ -2,23 +2,26 @@
 
 #include "collect.h"
 
+/* More than other shapes where stack is short: a box takes little of it. */
+enum { RECT_ROWS = PEL_SHORT_STACK ? PEL_BATCH_ROWS : PEL_COLLECT_ROWS };
+
 /* All pixels of r, which is inside the clip when it is not empty. */
 static PEL_ALWAYS_INLINE void fill_rows(const struct pel_surface *surface,
                                         const struct pel_rect *r,
                                         const struct pel_paint *paint)
 {
-    struct pel_span span[PEL_COLLECT_ROWS];
+    struct pel_span span[RECT_ROWS];
     struct pel_spans spans = {surface, span, r->y0, 0, 1};
     const int32_t end = r->y1;
     if (r->x0 >= r->x1 || (PEL_64BIT && r->y0 >= end))
         return;
     const int32_t used =
-        PEL_64BIT ? pel_min(end - r->y0, PEL_COLLECT_ROWS) : PEL_COLLECT_ROWS;
+        PEL_64BIT ? pel_min(end - r->y0, RECT_ROWS) : RECT_ROWS;
     for (int32_t i = 0; i < used; i++)
         span[i] = (struct pel_span){r->x0, r->x1};
-    for (int32_t y = r->y0; y < end; y += PEL_COLLECT_ROWS) {
+    for (int32_t y = r->y0; y < end; y += RECT_ROWS) {
         spans.y = y;
-        spans.n = pel_min(end - y, PEL_COLLECT_ROWS);
+        spans.n = pel_min(end - y, RECT_ROWS);
         paint->fill(paint, &spans);
     }
 }

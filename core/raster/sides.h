@@ -14,8 +14,8 @@ struct pel_side {
 
 /* A batch of spans, and the same as numbers: x0 and x1 of each. */
 union pel_batch {
-    struct pel_span span[PEL_BATCH_ROWS];
-    int32_t x[PEL_BATCH_ROWS * 2];
+    struct pel_span span[PEL_ROWS];
+    int32_t x[PEL_ROWS * 2];
 };
 
 /* Writes x of an edge in n rows to every other number of a batch. Edges are

@@ -51,6 +51,11 @@ static inline struct pel_sweep *pel_sweep_begin(void *scratch, int32_t room,
 bool pel_sweep_add(struct pel_sweep *w, const struct pel_point *a,
                    const struct pel_point *b, int32_t y0, int32_t y1);
 
+/* Begins the sweep of a polygon and adds its sides. As pel_polygon_visible:
+ * only where that is 1 there is something to paint. */
+int pel_polygon_begin(const struct pel_polygon_shape *polygon, void *scratch,
+                      size_t size, const struct pel_rect *clip);
+
 /* Paints what is inside the sides of a closed outline, no pixel twice. Their
  * rows must lie inside the clip. There are no sides any more then. PEL_OK. */
 enum pel_status pel_sweep_paint(struct pel_sweep *w,

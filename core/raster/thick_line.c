@@ -64,35 +64,44 @@ bool pel_thick_line_corners(const struct pel_thick_line_shape *line,
     return pel_points_legal(v, 4);
 }
 
-/* A function of its own: the corners have taken their stack before. */
-static PEL_NOINLINE_32 void fill(const struct pel_surface *surface,
-                                 const struct pel_point v[4],
-                                 const struct pel_paint *paint)
+struct walk {
+    struct pel_point v[4]; /* corners */
+    struct pel_side side[2];
+    int32_t end; /* row */
+    struct pel_spans spans;
+    union pel_batch batch;
+};
+
+/* Starts at the first visible row; false where there is none. Steps are
+ * functions of their own, to spare the stack of the paint. */
+static PEL_NOINLINE_32 bool start(struct walk *w)
 {
+    const struct pel_point *const v = w->v;
+    const struct pel_rect *const clip = &w->spans.surface->clip;
     int top = 0;
     for (int i = 1; i < 4; i++)
         if (v[i].y < v[top].y)
             top = i;
     const struct pel_point *const bottom = &v[(top + 2) & 3];
-    const int32_t end = pel_min(pel_first_pixel(bottom->y), surface->clip.y1);
-    struct pel_side side[2];
-    union pel_batch batch;
-    struct pel_spans spans = {surface, batch.span, 0, 0, 1};
-    spans.y = pel_max(pel_first_pixel(v[top].y), surface->clip.y0);
-    if (spans.y >= end)
-        return;
-    side[0].end = &v[(top + 1) & 3];
-    side[1].end = &v[(top + 3) & 3];
-    side[0].last = side[1].last = bottom;
-    pel_side_start(&side[0], &v[top], spans.y);
-    pel_side_start(&side[1], &v[top], spans.y);
-    for (; spans.y < end; spans.y += spans.n) {
-        spans.n = pel_min(end - spans.y, PEL_BATCH_ROWS);
-        pel_side_walk(&side[0], spans.y, batch.x, spans.n);
-        pel_side_walk(&side[1], spans.y, batch.x + 1, spans.n);
-        pel_spans_order(batch.span, spans.n, &spans.surface->clip);
-        paint->fill(paint, &spans);
-    }
+    w->end = pel_min(pel_first_pixel(bottom->y), clip->y1);
+    w->spans.y = pel_max(pel_first_pixel(v[top].y), clip->y0);
+    if (w->spans.y >= w->end)
+        return false;
+    w->side[0].end = &v[(top + 1) & 3];
+    w->side[1].end = &v[(top + 3) & 3];
+    w->side[0].last = w->side[1].last = bottom;
+    pel_side_start(&w->side[0], &v[top], w->spans.y);
+    pel_side_start(&w->side[1], &v[top], w->spans.y);
+    return true;
+}
+
+static PEL_STEP void walk_rows(struct walk *w)
+{
+    struct pel_spans *const spans = &w->spans;
+    spans->n = pel_min(w->end - spans->y, PEL_ROWS);
+    pel_side_walk(&w->side[0], spans->y, w->batch.x, spans->n);
+    pel_side_walk(&w->side[1], spans->y, w->batch.x + 1, spans->n);
+    pel_spans_order(w->batch.span, spans->n, &spans->surface->clip);
 }
 
 /* False when its box has no pixel in the clip. */
@@ -108,12 +117,17 @@ void pel_thick_line(const struct pel_surface *surface,
                     const struct pel_thick_line_shape *line,
                     const struct pel_paint *paint)
 {
-    struct pel_point v[4];
+    struct walk w;
     PEL_HINT(pel_thick_line_in_subpixels(line));
     if (pel_thick_line_legal(line) && !is_visible(surface, line))
         return;
-    bool legal = pel_thick_line_corners(line, v);
+    bool legal = pel_thick_line_corners(line, w.v);
     PEL_ASSERT(legal);
-    if (legal)
-        fill(surface, v, paint);
+    w.spans = (struct pel_spans){surface, w.batch.span, 0, 0, 1};
+    if (!legal || !start(&w))
+        return;
+    for (; w.spans.y < w.end; w.spans.y += w.spans.n) {
+        walk_rows(&w);
+        paint->fill(paint, &w.spans);
+    }
 }

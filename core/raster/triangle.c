@@ -49,7 +49,7 @@ static void fill(const struct pel_surface *surface,
     pel_edge_start(&edge, p[0], p[2], y);
     pel_side_start(&short_side, p[0], y);
     for (; spans.y < bottom; spans.y += spans.n) {
-        spans.n = pel_min(bottom - spans.y, PEL_BATCH_ROWS);
+        spans.n = pel_min(bottom - spans.y, PEL_ROWS);
         pel_edge_walk(&edge, batch.x + (side == RIGHT), spans.n);
         pel_side_walk(&short_side, spans.y, batch.x + (side != RIGHT), spans.n);
         if (side == UNKNOWN)

@@ -33,7 +33,7 @@ static PEL_NOINLINE_32 void cut_row(struct walk *w,
     pel_angle_range_spans(&w->angles, &arc->center, visible->y0, span);
     pel_disc_walk_row(&w->ring.outer, &disc);
     w->cut.spans.n = pel_cut_within(span, 2, &disc);
-    pel_disc_row(&w->ring.hole, visible, &disc);
+    pel_ring_hole(&w->ring, &disc);
     w->cut.spans.n = pel_cut_remove(span, w->cut.spans.n, &disc);
     pel_ring_next(&w->ring, &arc->center);
 }

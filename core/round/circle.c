@@ -53,7 +53,7 @@ void pel_circle(const struct pel_surface *surface, struct pel_point center,
     if (pel_rect_empty(&visible))
         return;
     const int32_t end = visible.y1;
-    struct pel_span span[PEL_BATCH_ROWS];
+    struct pel_span span[PEL_ROWS];
     struct pel_spans spans = {surface, span, visible.y0, 0, 1};
     struct side left, right;
     int32_t v = pel_pixel_center(spans.y) - center.y;
@@ -67,7 +67,7 @@ void pel_circle(const struct pel_surface *surface, struct pel_point center,
     const bool mirror = mirrored(&left, &right, radius);
     const int32_t middle = split + (right.u == 0);
     for (; spans.y < end; spans.y += spans.n) {
-        spans.n = pel_min(end - spans.y, PEL_BATCH_ROWS);
+        spans.n = pel_min(end - spans.y, PEL_ROWS);
         for (int32_t i = 0; i < spans.n; i++, v += 256) {
             int32_t columns = side_next(&left, v);
             span[i].x0 = split - columns;

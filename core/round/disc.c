@@ -20,48 +20,49 @@ static int32_t first_right(int32_t x, int32_t split)
     return pel_pixel_center(split) - x;
 }
 
-void pel_disc_start(struct pel_disc *disc, const struct pel_rect *clip,
-                    int64_t half_width2)
+static int64_t first_d(int64_t half_width2, int32_t u)
 {
-    struct pel_disc_side *l = &disc->left, *r = &disc->right;
-    l->u = first_left(l->center, split_at(l->center, clip));
-    r->u = first_right(r->center, split_at(r->center, clip));
-    l->d = (half_width2 - pel_square(l->u)) >> 9;
-    r->d = (half_width2 - pel_square(r->u)) >> 9;
+    return (half_width2 - pel_square(u)) >> 9;
+}
+
+void pel_disc_sides_start(struct pel_disc_sides *s, const int32_t center[2],
+                          const struct pel_rect *clip, int64_t half_width2)
+{
+    const int32_t left = center[0], right = center[1];
+    s->u[0] = first_left(left, split_at(left, clip));
+    s->u[1] = first_right(right, split_at(right, clip));
+    s->d[0] = first_d(half_width2, s->u[0]);
+    s->d[1] = first_d(half_width2, s->u[1]);
 }
 
 /* The columns of a side in this row, at most `limit`, from `first` outwards. */
-static PEL_INLINE_64 int32_t columns(struct pel_disc_side *s, int32_t first,
+static PEL_INLINE_64 int32_t columns(int64_t *d, int32_t *u, int32_t first,
                                      int32_t limit)
 {
-    int32_t n = (s->u - first) >> 8;
-    pel_disc_side_adjust(&s->d, &s->u, &n, limit);
+    int32_t n = (*u - first) >> 8;
+    pel_disc_side_adjust(d, u, &n, limit);
     return n;
 }
 
-void pel_disc_row(struct pel_disc *disc, const struct pel_rect *clip,
-                  struct pel_span *span)
+void pel_disc_sides_row(struct pel_disc_sides *s, const int32_t center[2],
+                        const struct pel_rect *clip, struct pel_span *span)
 {
-    struct pel_disc_side *l = &disc->left, *r = &disc->right;
-    span->x0 = split_at(l->center, clip);
-    span->x1 = split_at(r->center, clip);
-    span->x0 -=
-        columns(l, first_left(l->center, span->x0), span->x0 - clip->x0);
-    span->x1 +=
-        columns(r, first_right(r->center, span->x1), clip->x1 - span->x1);
+    const int32_t left = split_at(center[0], clip);
+    const int32_t right = split_at(center[1], clip);
+    span->x0 = left - columns(&s->d[0], &s->u[0], first_left(center[0], left),
+                              left - clip->x0);
+    span->x1 = right + columns(&s->d[1], &s->u[1],
+                               first_right(center[1], right), clip->x1 - right);
 }
 
 /* All columns of a side have the same low 9 bits of u^2. */
-static void change_side(struct pel_disc_side *s, int64_t from, int64_t to)
-{
-    const uint32_t low = (uint32_t)s->u * (uint32_t)s->u & 511;
-    s->d += ((to - low) >> 9) - ((from - low) >> 9);
-}
-
 void pel_disc_change(struct pel_disc *disc, int64_t from, int64_t to)
 {
-    change_side(&disc->left, from, to);
-    change_side(&disc->right, from, to);
+    struct pel_disc_sides *const s = &disc->sides;
+    for (int k = 0; k < 2; k++) {
+        const uint32_t low = (uint32_t)s->u[k] * (uint32_t)s->u[k] & 511;
+        s->d[k] += ((to - low) >> 9) - ((from - low) >> 9);
+    }
 }
 
 bool pel_disc_walk_box(struct pel_disc_walk *w, const struct pel_point *center,

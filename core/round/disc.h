@@ -24,36 +24,52 @@
 #include "../base/format.h"
 #include "../base/point.h"
 
-struct pel_disc_side {
-    int64_t d;      /* of the next column outwards */
-    int32_t u;      /* its distance, 1/256 px */
-    int32_t center; /* 1/256 px */
+struct pel_disc_sides {
+    int64_t d[2]; /* left and right: of the next column outwards */
+    int32_t u[2]; /* its distance, 1/256 px */
 };
 
 struct pel_disc {
-    struct pel_disc_side left, right;
+    struct pel_disc_sides sides;
+    int32_t center[2]; /* of each, 1/256 px */
 };
 
 static inline void pel_disc_center(struct pel_disc *disc, int32_t left_x,
                                    int32_t right_x)
 {
-    disc->left.center = left_x;
-    disc->right.center = right_x;
+    disc->center[0] = left_x;
+    disc->center[1] = right_x;
 }
 
-/* Starts at a row in the columns of `clip`; after pel_disc_center. */
-void pel_disc_start(struct pel_disc *disc, const struct pel_rect *clip,
-                    int64_t half_width2);
+/* Starts at a row in the columns of `clip`. */
+void pel_disc_sides_start(struct pel_disc_sides *sides, const int32_t center[2],
+                          const struct pel_rect *clip, int64_t half_width2);
 
 /* The visible span of the row; the same clip as at the start. */
-void pel_disc_row(struct pel_disc *disc, const struct pel_rect *clip,
-                  struct pel_span *span);
+void pel_disc_sides_row(struct pel_disc_sides *sides, const int32_t center[2],
+                        const struct pel_rect *clip, struct pel_span *span);
 
 /* Moves to a row whose half_width2 is larger by 512 * change. */
-static inline void pel_disc_step(struct pel_disc *disc, int32_t change)
+static inline void pel_disc_sides_step(struct pel_disc_sides *sides,
+                                       int32_t change)
 {
-    disc->left.d += change;
-    disc->right.d += change;
+    sides->d[0] += change;
+    sides->d[1] += change;
+}
+
+/* The same; after pel_disc_center. */
+static inline void pel_disc_start(struct pel_disc *disc,
+                                  const struct pel_rect *clip,
+                                  int64_t half_width2)
+{
+    pel_disc_sides_start(&disc->sides, disc->center, clip, half_width2);
+}
+
+static inline void pel_disc_row(struct pel_disc *disc,
+                                const struct pel_rect *clip,
+                                struct pel_span *span)
+{
+    pel_disc_sides_row(&disc->sides, disc->center, clip, span);
 }
 
 /* Moves from a row with one half_width2 to a row with another. */
@@ -65,16 +81,23 @@ struct pel_disc_walk {
     struct pel_rect visible; /* the rows that are left, and their columns */
 };
 
-/* The rows of a ring: a disc, and the hole inside at the same row. */
+/* The rows of a ring: a disc, and the sides of the hole inside at the same row,
+ * around the same centre. */
 struct pel_ring_walk {
     struct pel_disc_walk outer;
-    struct pel_disc hole;
+    struct pel_disc_sides hole;
 };
 
 /* Sets what is visible of the disc's square. false: nothing is, or the disc is
  * out of range (PEL_ASSERT). */
 bool pel_disc_walk_box(struct pel_disc_walk *w, const struct pel_point *center,
                        int32_t radius, const struct pel_rect *clip);
+
+/* The visible span of the hole's row. */
+static inline void pel_ring_hole(struct pel_ring_walk *w, struct pel_span *span)
+{
+    pel_disc_sides_row(&w->hole, w->outer.disc.center, &w->outer.visible, span);
+}
 
 /* Starts at the first row that is visible. */
 void pel_disc_walk_begin(struct pel_disc_walk *w,
@@ -109,7 +132,7 @@ static inline void pel_disc_walk_next(struct pel_disc_walk *w,
                                       const struct pel_point *center)
 {
     w->visible.y0++;
-    pel_disc_step(&w->disc, center->y - 256 * w->visible.y0);
+    pel_disc_sides_step(&w->disc.sides, center->y - 256 * w->visible.y0);
 }
 
 /* True when the whole clip lies in the hole: when its corner that is farthest
@@ -140,17 +163,16 @@ static inline void pel_ring_begin(struct pel_ring_walk *w,
                                   int32_t outer)
 {
     pel_disc_walk_begin(&w->outer, center, outer);
-    pel_disc_center(&w->hole, center->x, center->x);
     const int32_t v = pel_pixel_center(w->outer.visible.y0) - center->y;
-    pel_disc_start(&w->hole, &w->outer.visible,
-                   pel_square(inner) - pel_square(v));
+    pel_disc_sides_start(&w->hole, w->outer.disc.center, &w->outer.visible,
+                         pel_square(inner) - pel_square(v));
 }
 
 static inline void pel_ring_next(struct pel_ring_walk *w,
                                  const struct pel_point *center)
 {
     pel_disc_walk_next(&w->outer, center);
-    pel_disc_step(&w->hole, center->y - 256 * w->outer.visible.y0);
+    pel_disc_sides_step(&w->hole, center->y - 256 * w->outer.visible.y0);
 }
 
 #endif

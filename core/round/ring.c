@@ -16,7 +16,7 @@ void pel_ring(const struct pel_surface *surface,
     for (; !pel_disc_walk_ended(&w.outer); pel_ring_next(&w, &ring->center)) {
         struct pel_span hole;
         pel_disc_walk_row(&w.outer, &span[0]);
-        pel_disc_row(&w.hole, &w.outer.visible, &hole);
+        pel_ring_hole(&w, &hole);
         spans.y = w.outer.visible.y0;
         spans.n = pel_cut_hole(span, 0, &span[0], &hole);
         if (spans.n)

@@ -110,9 +110,9 @@ $(foreach b,$(LINK_ONE_BUILDS),$(eval $(call link_one,$b,$(patsubst \
 LINK_ELFS += $(foreach b,$(LINK_ONE_BUILDS),\
     $(LINK_ONE_$b:%=$(BUILD)/link/$b/one/%.elf))
 
-# Bytes of stack that any shape with any paint may take; smooth ones have a table.
-LINK_STACK_small := 384
-LINK_STACK_Os := 608
+# Bytes of stack that any shape with any paint may take, with small code or
+# without; smooth ones have a table.
+LINK_STACK := 384
 
 # What one would build (docs/PRODUCTS.md). Those of both CPUs run on a board with
 # a Cortex-M4, which has memory for whole screens. $1 build, $2 CPU, $3 product
@@ -189,6 +189,5 @@ size: $(MCU_CORE_OBJECTS) $(LINK_ELFS) guide \
 	bench/mcu/matrix.sh $(ACCEPT)
 	tests/link/panels.sh $(BUILD)/link/panel_times $(ACCEPT)
 	$(foreach b,$(LINK_WHOLE_BUILDS),tests/link/pairs.sh $b \
-	    $(BUILD)/link/$b/pairs.elf $(LINK_STACK_$(lastword $(subst \
-	    -, ,$b))) >$(BUILD)/stack_$b.tsv &&) :
+	    $(BUILD)/link/$b/pairs.elf $(LINK_STACK) >$(BUILD)/stack_$b.tsv &&) :
 	tests/link/pairs_smooth.sh $(LINK_WHOLE_BUILDS:%=$(BUILD)/stack_%.tsv) $(ACCEPT)

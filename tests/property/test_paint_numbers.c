@@ -54,9 +54,9 @@ TEST(quotients)
         const uint64_t n = random_long(r, random_between(r, 1, 63));
         const int64_t q = (int64_t)(n / d), m = (int64_t)(n % d);
         const int64_t by = (int64_t)d;
-        int64_t rest, below;
-        if (pel_divide_64((int64_t)n, by, &rest) != q || rest != m ||
-            pel_divide_64(~(int64_t)n, by, &below) != ~q || below != by - 1 - m)
+        int64_t rest = (int64_t)n, below = ~rest;
+        if (pel_divide_64(&rest, by) != q || rest != m ||
+            pel_divide_64(&below, by) != ~q || below != by - 1 - m)
             fail_msg("%llu / %llu", (unsigned long long)n,
                      (unsigned long long)d);
         if (d >> 32 == 0 && n >> 32 < d &&
