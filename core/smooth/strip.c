@@ -53,8 +53,7 @@ int32_t pel_smooth_arc_at(const struct pel_smooth_circle *c, int32_t distance,
     int32_t shift = 0;
     if (distance >= c->radius)
         return 0;
-    uint32_t n = r < 65536 && !PEL_SMALL_CODE ? r * r - d * d
-                                              : square_at(c, distance, &shift);
+    uint32_t n = r < 65536 ? r * r - d * d : square_at(c, distance, &shift);
     for (; n < UINT32_C(1) << 30; n <<= 2)
         shift--;
     const uint32_t root = root_of(n);
