@@ -50,10 +50,10 @@ struct pel_cells {
     pel_cell_index index;
     pel_cell_direction direction;
     pel_cell_draw draw;
-    uint8_t most; /* rows of a batch; 0: one, and hi is the next pixel */
 #if !PEL_SMALL_CODE
-    uint8_t left;         /* spans from `span` on */
-    PEL_CELL_FLAG(box);   /* the spans of these rows are all alike */
+    uint8_t most;       /* rows of a batch; 0: one, and hi is the next pixel */
+    uint8_t left;       /* spans from `span` on */
+    PEL_CELL_FLAG(box); /* the spans of these rows are all alike */
     PEL_CELL_FLAG(mixed); /* opaque cells of two colors: pel_cells_pass_mixed */
     pel_cell_draw present;       /* how the present cell is drawn */
     const struct pel_span *span; /* the shape's, of these rows */
@@ -159,7 +159,7 @@ static PEL_ALWAYS_INLINE bool pel_cells_go(struct pel_cells *c)
 /* Before the first batch, and before cell.span is set. */
 void pel_cells_open(struct pel_cells *cells,
                     const struct pel_gradient *gradient,
-                    const struct pel_spans *spans);
+                    const struct pel_spans *spans, int32_t most);
 
 /* How many pixels n spans have, and where: from the left end of all to the
  * right end. Of none x0 > x1. */

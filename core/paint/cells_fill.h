@@ -81,14 +81,13 @@ static PEL_ALWAYS_INLINE void pel_cells_begin(struct pel_cells *c,
                                               struct pel_span *run)
 {
     if (PEL_CELL_ROWS > 1) {
-        pel_cells_open(c, (const void *)paint, spans);
+        pel_cells_open(c, (const void *)paint, spans, most);
         c->cell.span = PEL_SHORT_STACK ? run : pel_cells_run(c);
     } else {
         c->gradient = (const void *)paint;
         c->cell = (struct pel_spans){spans->surface, pel_cells_run(c), spans->y,
                                      1, spans->step};
     }
-    c->most = (uint8_t)most;
 }
 
 /* Fills spans. `start` finds the cell of the first pixel, its index and the

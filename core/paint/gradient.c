@@ -127,7 +127,7 @@ int32_t pel_cells_pass_mixed(struct pel_cells *c)
 }
 
 void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
-                    const struct pel_spans *spans)
+                    const struct pel_spans *spans, int32_t most)
 {
     const uint8_t *const depth = spans->surface->format->depth;
     const struct pel_ramp *const ramp = &gradient->ramp;
@@ -137,6 +137,7 @@ void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
     c->x = 0; /* no rows: the first batch is the next one */
     c->span = spans->span;
     c->left = (uint8_t)spans->n;
+    c->most = (uint8_t)most;
     c->mixed = ramp->n == 2 && depth[1] &&
                pel_alpha(ramp->colors[0] & ramp->colors[1]) == 255;
     keep(c, 0, PEL_SHORT_STACK ? 0 : find_mask(spans->surface));

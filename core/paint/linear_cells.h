@@ -49,8 +49,9 @@ static int32_t unit_of(const struct pel_linear *p)
 }
 
 /* From the boundary of a cell to that of the one `count` >= 1 cells on. */
-static PEL_STEP void next_cells(struct pel_cells *c, const struct pel_linear *p,
-                                int32_t count)
+static PEL_STEP_OR_INLINE void next_cells(struct pel_cells *c,
+                                          const struct pel_linear *p,
+                                          int32_t count)
 {
     do {
         c->error -= p->cell;

@@ -39,13 +39,14 @@ static PEL_ALWAYS_INLINE void find_angle(struct pel_cells *c)
  * before the full turn, rows below at 0. On a ray or clockwise of it is beyond
  * it above the centre, before it below. The lowest 8 bits of the cross product
  * never change from pixel to pixel. */
-static PEL_STEP void set_error(struct pel_cells *c, const struct pel_point *ray)
+static PEL_STEP_OR_INLINE void set_error(struct pel_cells *c,
+                                         const struct pel_point *ray)
 {
     const int64_t cross = cross_of(c, ray, height_of(c)) >> 8;
     c->error = c->direction < 0 ? ~cross : cross;
 }
 
-static PEL_STEP bool move_angle(struct pel_cells *c, int32_t count)
+static PEL_STEP_OR_INLINE bool move_angle(struct pel_cells *c, int32_t count)
 {
     const struct pel_conic *p = (const void *)c->gradient;
     pel_cells_move(c, count, p->width, p->remainder, p->base.period);
@@ -106,9 +107,9 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
     set_cell(c);
 }
 
-static PEL_STEP void fill_rows(const struct pel_paint *paint,
-                               const struct pel_spans *spans, int32_t most,
-                               struct pel_span *run)
+static PEL_STEP_OR_INLINE void fill_rows(const struct pel_paint *paint,
+                                         const struct pel_spans *spans,
+                                         int32_t most, struct pel_span *run)
 {
     struct pel_cells c;
     pel_cells_begin(&c, paint, spans, most, run);

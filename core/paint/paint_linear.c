@@ -44,7 +44,7 @@ static void level_fill(const struct pel_paint *paint,
     const bool narrow = growth > 8 * p->cell; /* to walk them takes longer */
     struct pel_cells c;
     struct pel_spans rows = *spans;
-    pel_cells_open(&c, &p->base, spans);
+    pel_cells_open(&c, &p->base, spans, PEL_CELL_ROWS);
     for (int32_t left = spans->n; left > 0; left -= rows.n) {
         if (left == spans->n || narrow) {
             set_cell(&c, p, product_at(p, 0, rows.y, is_padded(p)));
@@ -134,9 +134,9 @@ static PEL_NOINLINE_32 void fill_pixels(const struct pel_linear *p,
     pel_cells_put(spans, &w, row_walk_start, row_walk_colors);
 }
 
-static PEL_STEP void fill_rows(const struct pel_paint *paint,
-                               const struct pel_spans *spans, int32_t most,
-                               struct pel_span *run)
+static PEL_STEP_OR_INLINE void fill_rows(const struct pel_paint *paint,
+                                         const struct pel_spans *spans,
+                                         int32_t most, struct pel_span *run)
 {
     struct pel_cells c;
     pel_cells_begin(&c, paint, spans, most, run);
@@ -145,8 +145,8 @@ static PEL_STEP void fill_rows(const struct pel_paint *paint,
 
 /* Rows are drawn one by one where boundaries lie far apart from row to row, and
  * rows cross many of them. 0: cells are narrow. */
-static PEL_STEP int32_t rows_at_a_time(const struct pel_linear *p,
-                                       const struct pel_spans *spans)
+static PEL_STEP_OR_INLINE int32_t rows_at_a_time(const struct pel_linear *p,
+                                                 const struct pel_spans *spans)
 {
     const int64_t down = pel_size_of(p->d.y);
     if (PEL_CELL_ROWS > 1 && p->step >= NARROW * p->square &&
@@ -157,8 +157,8 @@ static PEL_STEP int32_t rows_at_a_time(const struct pel_linear *p,
 
 /* Opaque, and of cells that are 1/2 to WIDEST px wide: vectors are faster with
  * others. */
-static PEL_STEP bool can_walk(const struct pel_linear *p,
-                              const struct pel_channels *c)
+static PEL_STEP_OR_INLINE bool can_walk(const struct pel_linear *p,
+                                        const struct pel_channels *c)
 {
     const pel_color *const colors = p->base.ramp.colors;
     return c && c->walk && p->base.ramp.n == 2 &&

@@ -32,8 +32,9 @@ static PEL_NOINLINE_32 void add_circle(struct pel_cells *c,
     c->error += direction < 0 ? -square : square;
 }
 
-static PEL_STEP void move_circle(struct pel_cells *c,
-                                 const struct pel_radial *p, int32_t count)
+static PEL_STEP_OR_INLINE void move_circle(struct pel_cells *c,
+                                           const struct pel_radial *p,
+                                           int32_t count)
 {
     add_circle(c, p, c->direction);
     pel_cells_move(c, count, p->width, p->remainder, p->base.cells);
@@ -107,7 +108,8 @@ static PEL_NOINLINE_32 void find_ring(struct pel_cells *c,
 
 /* Chooses the part of the batch on one side, and measures the square of the
  * distance of the pixel where the walk begins. */
-static PEL_STEP void start_side(struct pel_cells *c, const struct pel_radial *p)
+static PEL_STEP_OR_INLINE void start_side(struct pel_cells *c,
+                                          const struct pel_radial *p)
 {
     const int32_t split = pel_first_pixel(p->rings.center.x);
     c->direction = 1;
@@ -118,8 +120,8 @@ static PEL_STEP void start_side(struct pel_cells *c, const struct pel_radial *p)
     c->error = pel_radial_square(p, c->x, first_row(c, p->rings.center.y));
 }
 
-static PEL_STEP void start_error(struct pel_cells *c,
-                                 const struct pel_radial *p)
+static PEL_STEP_OR_INLINE void start_error(struct pel_cells *c,
+                                           const struct pel_radial *p)
 {
     c->error = (pel_radial_square(p, c->x, c->cell.y) >> 9) - 1;
     if (c->direction < 0)
@@ -220,9 +222,9 @@ static PEL_NOINLINE_32 void fill_pixels(const struct pel_radial *p,
     pel_cells_put(spans, &w, row_walk_start, row_walk_colors);
 }
 
-static PEL_STEP void fill_rows(const struct pel_paint *paint,
-                               const struct pel_spans *spans, int32_t most,
-                               struct pel_span *run)
+static PEL_STEP_OR_INLINE void fill_rows(const struct pel_paint *paint,
+                                         const struct pel_spans *spans,
+                                         int32_t most, struct pel_span *run)
 {
     struct pel_cells c;
     pel_cells_begin(&c, paint, spans, most, run);
@@ -230,8 +232,8 @@ static PEL_STEP void fill_rows(const struct pel_paint *paint,
 }
 
 /* Of rings so narrow that a pixel has many of them. */
-static PEL_STEP bool is_narrow(const struct pel_radial *p,
-                               const struct pel_spans *spans)
+static PEL_STEP_OR_INLINE bool is_narrow(const struct pel_radial *p,
+                                         const struct pel_spans *spans)
 {
     return PEL_CELL_ROWS > 1 && p->rings.radius < NARROW * p->base.cells &&
            pel_cells_are_many(&p->base, spans);

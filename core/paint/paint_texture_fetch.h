@@ -85,8 +85,8 @@ static inline bool pel_texture_is_masked(int32_t size, int wrap)
 static PEL_STEP PEL_UNUSED int32_t pel_texture_wrap(uint64_t *at,
                                                     int32_t period)
 {
-    int32_t i = (int32_t)(*at >> 32) % period;
-    i += i < 0 ? period : 0;
+    int32_t i;
+    pel_floor_divide((int32_t)(*at >> 32), period, &i);
     *at = (uint64_t)(uint32_t)i << 32 | (*at & 0xFFFFFFFFu);
     return i;
 }
