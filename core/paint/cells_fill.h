@@ -57,14 +57,15 @@ static PEL_ALWAYS_INLINE void pel_cells_put(
     void (*start)(void *walk, int32_t x, int32_t y),
     void (*colors)(void *walk, int32_t n, pel_color *out))
 {
-    pel_color out[PEL_COLORS];
+    enum { COLORS = PEL_AT_A_TIME(PEL_BUFFER_PIXELS, 4) };
+    pel_color out[COLORS];
     const struct pel_span *span = spans->span;
     int32_t y = spans->y;
     for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step) {
         if (span->x0 < span->x1)
             start(walk, span->x0, y);
         for (int32_t x = span->x0, n; x < span->x1; x += n) {
-            n = pel_min(span->x1 - x, PEL_COLORS);
+            n = pel_min(span->x1 - x, COLORS);
             colors(walk, n, out);
             pel_put_colors(spans->surface, x, y, n, out);
         }

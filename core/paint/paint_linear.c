@@ -43,26 +43,27 @@ static void level_fill(const struct pel_paint *paint,
     const int32_t growth = spans->step ? p->d.y : 0;
     const bool narrow = growth > 8 * p->cell; /* to walk them takes longer */
     struct pel_cells c;
-    struct pel_spans rows = *spans;
+    struct pel_spans *const rows = &c.cell;
     pel_cells_open(&c, &p->base, spans, PEL_CELL_ROWS);
-    for (int32_t left = spans->n; left > 0; left -= rows.n) {
+    rows->span = spans->span;
+    for (int32_t left = spans->n; left > 0; left -= rows->n) {
         if (left == spans->n || narrow) {
-            set_cell(&c, p, product_at(p, 0, rows.y, is_padded(p)));
+            set_cell(&c, p, product_at(p, 0, rows->y, is_padded(p)));
             pel_cells_color(&c);
         }
         const uint32_t value = c.value;
         const pel_cell_draw draw = c.draw;
         const int32_t count = narrow ? 0 : pel_cells_pass(&c, 8 * left);
-        rows.n = narrow ? 1 : left;
+        rows->n = narrow ? 1 : left;
         if (count > 0) {
             next_cells(&c, p, count);
-            for (rows.n = 0; c.error < 0 && rows.n < left; rows.n++)
+            for (rows->n = 0; c.error < 0 && rows->n < left; rows->n++)
                 c.error += growth;
         }
-        if (rows.n > 0)
-            pel_cells_paint(&rows, value, draw);
-        rows.span += rows.n;
-        rows.y += rows.n * rows.step;
+        if (rows->n > 0)
+            pel_cells_paint(rows, value, draw);
+        rows->span += rows->n;
+        rows->y += rows->n * rows->step;
     }
 }
 
@@ -70,7 +71,7 @@ static void level_fill(const struct pel_paint *paint,
  * error where its cell begins. `outside` is below 0 before a padded gradient,
  * and |d|^2 or more behind it. */
 struct pixel {
-    int64_t outside, error;
+    pel_cell_error outside, error;
     int32_t index;
 };
 
@@ -89,14 +90,20 @@ static PEL_NOINLINE_32 void set_step(struct row_walk *w)
     w->step.index = (int32_t)index * p->direction;
 }
 
-static PEL_NOINLINE_32 void row_walk_start(void *walk, int32_t x, int32_t y)
+static PEL_STEP_OR_INLINE void set_outside(struct row_walk *w, int32_t x,
+                                           int32_t y)
 {
-    struct row_walk *w = walk;
     const struct pel_linear *p = w->paint;
     const int64_t product = along(p, pel_pixel_center(x), pel_pixel_center(y));
     w->at.outside = is_padded(p) ? product + (p->direction >> 31) : 0;
-    w->at.error = product_at(p, x, y, false);
-    w->at.index = find_cell(p, false, &w->at.error);
+}
+
+static PEL_NOINLINE_32 void row_walk_start(void *walk, int32_t x, int32_t y)
+{
+    struct row_walk *w = walk;
+    set_outside(w, x, y);
+    w->at.error = product_at(w->paint, x, y, false);
+    w->at.index = find_cell(w->paint, false, &w->at.error);
 }
 
 static PEL_NOINLINE_32 void row_walk_colors(void *walk, int32_t n,
@@ -106,23 +113,24 @@ static PEL_NOINLINE_32 void row_walk_colors(void *walk, int32_t n,
     const struct pel_linear *p = w->paint;
     const struct pel_gradient *const g = &p->base;
     const int64_t square = p->square;
-    struct pixel at = w->at;
+    struct pixel copy = w->at, *const at = PEL_SHORT_STACK ? &w->at : &copy;
     for (; n > 0; n--, out++) {
-        int32_t index = at.index;
-        if ((uint64_t)at.outside >= (uint64_t)square)
-            index = (at.outside < 0) == (p->direction > 0) ? 0 : g->cells - 1;
+        int32_t index = at->index;
+        if ((uint64_t)at->outside >= (uint64_t)square)
+            index = (at->outside < 0) == (p->direction > 0) ? 0 : g->cells - 1;
         *out = g->color(g, index);
-        at.outside += w->step.outside;
-        at.error += w->step.error;
-        at.index += w->step.index;
-        if (at.error >= square) {
-            at.error -= square;
-            at.index += p->direction;
+        at->outside += w->step.outside;
+        at->error += w->step.error;
+        at->index += w->step.index;
+        if (at->error >= square) {
+            at->error -= square;
+            at->index += p->direction;
         }
-        if ((uint32_t)at.index >= (uint32_t)g->period)
-            at.index += at.index < 0 ? g->period : -g->period;
+        if ((uint32_t)at->index >= (uint32_t)g->period)
+            at->index += at->index < 0 ? g->period : -g->period;
     }
-    w->at = at;
+    if (!PEL_SHORT_STACK)
+        w->at = copy;
 }
 
 static PEL_NOINLINE_32 void fill_pixels(const struct pel_linear *p,
@@ -211,9 +219,46 @@ static PEL_NOINLINE_32 bool fill_walked(const struct pel_linear *p,
     return true;
 }
 
+static void fill(const struct pel_paint *paint, const struct pel_spans *spans);
+
+/* Rows of a horizontal gradient are copied where there are more of them than
+ * this. Where stack is short, rectangles alone hand over more; where registers
+ * are few, too, it is too short for copies. */
+enum {
+    ROWS_NOT_COPIED = !PEL_SHORT_STACK    ? 1
+                      : PEL_FEW_REGISTERS ? PEL_BATCH_ROWS
+                                          : PEL_ROWS
+};
+
+#if PEL_64BIT
+static bool fill_copied(const struct pel_linear *p,
+                        const struct pel_spans *spans)
+{
+    return pel_cells_copy(&p->base, spans, fill);
+}
+#else
+static PEL_NOINLINE bool fill_copied(const struct pel_linear *p,
+                                     const struct pel_spans *spans)
+{
+    struct pel_span run;
+    struct pel_spans row = *spans;
+    if (!pel_cells_row_to_copy(&p->base, &row))
+        return false;
+    if (PEL_SHORT_STACK && rows_at_a_time(p, &row))
+        fill_rows(&p->base.paint, &row, 1, &run);
+    else
+        fill(&p->base.paint, &row);
+    pel_cells_copy_row(spans, &row);
+    return true;
+}
+#endif
+
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_linear *p = (const void *)paint;
+    if (PEL_CELL_ROWS > 1 && p->d.y == 0 && spans->n > ROWS_NOT_COPIED &&
+        fill_copied(p, spans))
+        return;
     if (PEL_CELL_ROWS > 1 && can_walk(p, spans->surface->format->channels) &&
         fill_walked(p, spans))
         return;
@@ -223,14 +268,6 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
         fill_pixels(p, spans);
     else
         pel_cells_fill_runs(paint, spans, rows, fill_rows);
-}
-
-/* A horizontal gradient. */
-static void across_fill(const struct pel_paint *paint,
-                        const struct pel_spans *spans)
-{
-    if (!pel_cells_copy((const void *)paint, spans, fill))
-        fill(paint, spans);
 }
 
 enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
@@ -245,9 +282,7 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     struct pel_point d = {to.x - from.x, to.y - from.y};
     if ((d.x | d.y) == 0)
         return PEL_ERROR_SIZE;
-    paint->base.paint.fill = PEL_CELL_ROWS == 1 || (d.x && d.y) ? fill
-                             : d.x                              ? across_fill
-                                                                : level_fill;
+    paint->base.paint.fill = PEL_CELL_ROWS == 1 || d.x ? fill : level_fill;
     const int32_t onward = d.x || PEL_CELL_ROWS == 1 ? d.x : d.y;
     paint->direction = (onward > 0) - (onward < 0);
     if (paint->direction < 0) {

@@ -176,7 +176,9 @@ static PEL_ALWAYS_INLINE void pel_texture_run(
     void (*run)(const struct pel_texture *p, int kind,
                 struct pel_texture_axes *a, int32_t n, pel_color *out))
 {
-    if (p->kind == PEL_TEXTURE_COLORS)
+    if (PEL_SHORT_STACK && PEL_FEW_REGISTERS)
+        run(p, p->kind, a, n, out);
+    else if (p->kind == PEL_TEXTURE_COLORS)
         run(p, PEL_TEXTURE_COLORS, a, n, out);
     else if (p->kind == PEL_TEXTURE_XRGB8888)
         run(p, PEL_TEXTURE_XRGB8888, a, n, out);

@@ -39,11 +39,47 @@ static inline const struct pel_paint *make_linear(void)
     return &paint.base.paint;
 }
 
+static const pel_color warm[2] = {0xFFFF8040, 0xFF304050};
+
+/* Ways of their own through a linear gradient: rows of one color, rows that are
+ * alike and copied, and cells that are narrower than pixels. */
+static inline const struct pel_paint *make_vertical(void)
+{
+    static struct pel_linear paint;
+    pel_linear_init(&paint, hub, pel_at(20, 70), &ramp);
+    return &paint.base.paint;
+}
+
+static inline const struct pel_paint *make_horizontal(void)
+{
+    static const struct pel_ramp opaque = {warm, 2, PEL_PAD};
+    static struct pel_linear paint;
+    pel_linear_init(&paint, hub, pel_at(60, 40), &opaque);
+    return &paint.base.paint;
+}
+
+static inline const struct pel_paint *make_narrow(void)
+{
+    static const struct pel_ramp mixed = {hues, 2, PEL_REPEAT};
+    static struct pel_linear paint;
+    pel_linear_init(&paint, hub, pel_at(22, 41), &mixed);
+    return &paint.base.paint;
+}
+
 static inline const struct pel_paint *make_radial(void)
 {
     static const struct pel_rings rings = {PEL_AT(20, 40), PEL_PX(9), 12345};
     static struct pel_radial paint;
     pel_radial_init(&paint, &rings, &ramp);
+    return &paint.base.paint;
+}
+
+static inline const struct pel_paint *make_narrow_rings(void)
+{
+    static const struct pel_ramp mixed = {hues, 2, PEL_REPEAT};
+    static const struct pel_rings rings = {PEL_AT(20, 40), PEL_PX(1), 12345};
+    static struct pel_radial paint;
+    pel_radial_init(&paint, &rings, &mixed);
     return &paint.base.paint;
 }
 
@@ -94,6 +130,18 @@ static inline const struct pel_paint *make_nearest_colors(void)
     static struct pel_texture paint;
     pel_texture_init_nearest(&paint, &of_colors, &turned);
     paint.wrap_v = PEL_WRAP_REPEAT;
+    return &paint.base.paint;
+}
+
+/* And those of another surface. */
+static inline const struct pel_paint *make_nearest_converted(void)
+{
+    static uint32_t words[4];
+    static const struct pel_surface surface = {
+        words, 8, {0, 0, 2, 2}, {0, 0, 2, 2}, &pel_xrgb8888};
+    static const struct pel_texels of_words = {.surface = &surface};
+    static struct pel_texture paint;
+    pel_texture_init_nearest(&paint, &of_words, &turned);
     return &paint.base.paint;
 }
 
@@ -159,10 +207,12 @@ static inline const struct pel_paint *make_user(void)
 }
 
 /* All of them, each as EACH(name). */
-#define EVERY_MAKE(EACH)                                                     \
-    EACH(flat), EACH(flat_alpha), EACH(gouraud), EACH(linear), EACH(radial), \
-        EACH(conic), EACH(hue), EACH(fan), EACH(nearest),                    \
-        EACH(nearest_colors), EACH(bilinear), EACH(dither), EACH(blend),     \
-        EACH(checker), EACH(hatch), EACH(nine_slice), EACH(user)
+#define EVERY_MAKE(EACH)                                                       \
+    EACH(flat), EACH(flat_alpha), EACH(gouraud), EACH(linear), EACH(vertical), \
+        EACH(horizontal), EACH(narrow), EACH(radial), EACH(narrow_rings),      \
+        EACH(conic), EACH(hue), EACH(fan), EACH(nearest),                      \
+        EACH(nearest_colors), EACH(nearest_converted), EACH(bilinear),         \
+        EACH(dither), EACH(blend), EACH(checker), EACH(hatch),                 \
+        EACH(nine_slice), EACH(user)
 
 #endif
