@@ -195,25 +195,29 @@ static void fill_window(struct pel_smooth_outline *o, int32_t x, int32_t y,
 }
 #endif
 
-/* The pixels of a window, or those of them that sides cross, and the full ones
- * behind them: where the next ones begin. All of these up to `next` are alike,
- * or the window is as long as it can be. */
+/* The pixels of a window from the first to the last that is covered, or those
+ * of them that sides cross, and the full ones behind them: where the next ones
+ * begin. All of these up to `next` are alike, or the window is as long as it
+ * can be. */
 static PEL_SMOOTH_APART int32_t read_window(const struct window *w,
                                             struct part *p)
 {
-    int32_t sum = 0, i = 0, some = 0;
+    int32_t sum = 0, i = 0, first = 0, some = 0;
     for (;; i++) {
         sum += w->sum[i];
         const uint8_t coverage = coverage_of(sum);
         if (i >= w->used && (i == w->n || is_whole(coverage))) {
             const int32_t end = w->x + i;
-            p->some = (struct pel_span){w->x, w->x + some};
+            p->some = (struct pel_span){w->x + first, w->x + some};
             p->full = (struct pel_span){end, coverage == 255 ? w->next : end};
             return is_whole(coverage) ? w->next : end;
         }
-        p->coverage[i] = coverage;
         if (coverage)
             some = i + 1;
+        if (some)
+            p->coverage[i - first] = coverage;
+        else
+            first = i + 1;
     }
 }
 

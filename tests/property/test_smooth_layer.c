@@ -247,23 +247,6 @@ static void draw_pixels(const struct pel_smooth *smooth)
         }
 }
 
-/* The box of the pixels that are not 0. */
-static struct pel_rect box_of(const struct pel_surface *s)
-{
-    struct pel_rect box = {0, 0, 0, 0};
-    for (int32_t y = s->clip.y0; y < s->clip.y1; y++)
-        for (int32_t x = s->clip.x0; x < s->clip.x1; x++) {
-            if (pel_surface_line(s, y)[x - s->bounds.x0] == 0)
-                continue;
-            if (pel_rect_empty(&box))
-                box = (struct pel_rect){x, y, x + 1, y + 1};
-            box.x0 = pel_min(box.x0, x);
-            box.x1 = pel_max(box.x1, x + 1);
-            box.y1 = y + 1;
-        }
-    return box;
-}
-
 /* In paints that look at the surface, of which a mask is no source; and only
  * pixels that are covered at all are asked for. */
 TEST(rows_are_their_pixels)
@@ -297,7 +280,7 @@ TEST(rows_are_their_pixels)
         draw_batches(r, &smooth);
         pel_surface_init_rect(&mask, &pel_gray8, grey, SIDE, &bounds);
         pel_surface_clip(&mask, &clip);
-        const struct pel_rect box = box_of(&mask);
+        const struct pel_rect box = shape_box(&mask);
         assert_memory_equal(&dirty.box, &box, sizeof box);
         assert_true(pel_smooth_begin(&smooth, &expected.surface, paint));
         draw_pixels(&smooth);
@@ -344,7 +327,7 @@ TEST(dirty_boxes_hold_the_fringe)
         pel_dirty_begin(&dirty[1], NULL);
         draw_any(&gray, kind, v, &dirty[0].paint);
         draw_any(&measure, kind, v, &dirty[1].paint);
-        const struct pel_rect box = box_of(&gray);
+        const struct pel_rect box = shape_box(&gray);
         for (int i = 0; i < 2; i++)
             assert_memory_equal(&dirty[i].box, &box, sizeof box);
     }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/raster/dirty.h"
 #include "core/smooth/smooth_arc.h"
 #include "core/smooth/smooth_circle.h"
 #include "core/smooth/smooth_ellipse.h"
@@ -40,7 +41,8 @@ static struct pel_surface window_of(const struct pel_rect *bounds, uint8_t *to)
     return s;
 }
 
-static void draw(const struct pel_surface *surface, const struct round *s)
+static void paint(const struct pel_surface *surface, const struct round *s,
+                  const struct pel_paint *paint)
 {
     const struct pel_ring_shape ring = {s->center, s->inner, s->radius};
     const struct pel_rounded_shape rounded = {s->center, s->to, s->radius};
@@ -53,32 +55,37 @@ static void draw(const struct pel_surface *surface, const struct round *s)
     const struct pel_ellipse_shape ellipse = {s->center, {s->radius, s->inner}};
     switch (s->kind) {
     case RING:
-        pel_smooth_ring(surface, &ring, &white.paint);
+        pel_smooth_ring(surface, &ring, paint);
         break;
     case ROUNDED:
-        pel_smooth_rounded_rectangle(surface, &rounded, &white.paint);
+        pel_smooth_rounded_rectangle(surface, &rounded, paint);
         break;
     case SECTOR:
-        pel_smooth_sector(surface, &sector, &white.paint);
+        pel_smooth_sector(surface, &sector, paint);
         break;
     case ARC:
-        pel_smooth_arc(surface, &arc, &white.paint);
+        pel_smooth_arc(surface, &arc, paint);
         break;
     case LINE:
-        pel_smooth_thick_line_round(surface, &line, &white.paint);
+        pel_smooth_thick_line_round(surface, &line, paint);
         break;
     case ELLIPSE:
-        pel_smooth_ellipse(surface, &ellipse, &white.paint);
+        pel_smooth_ellipse(surface, &ellipse, paint);
         break;
     case ARC_ROUND:
-        pel_smooth_arc_round(surface, &arc, &white.paint);
+        pel_smooth_arc_round(surface, &arc, paint);
         break;
     default:
-        pel_smooth_circle(surface, s->center, s->radius, &white.paint);
+        pel_smooth_circle(surface, s->center, s->radius, paint);
     }
 }
 
 /* From 0 to 32,767 px, more often small, sometimes whole. */
+static void draw(const struct pel_surface *surface, const struct round *s)
+{
+    paint(surface, s, &white.paint);
+}
+
 static int32_t random_radius(struct random *r)
 {
     const int32_t radius =
@@ -331,6 +338,22 @@ TEST(mirrors)
             if (pixels[i] != others[SIZE * SIZE - 1 - i])
                 fail_msg("pixel %d: %d and %d, %s", i, pixels[i],
                          others[SIZE * SIZE - 1 - i], text_of(&s));
+    }
+}
+
+TEST(dirty_boxes_end_at_what_is_covered)
+{
+    for (struct cases c = cases_of(20000); cases_next(&c);) {
+        const struct round s = random_round(&c.random);
+        const struct pel_rect bounds = random_window(&c.random, &s);
+        const struct pel_surface window = window_of(&bounds, pixels);
+        struct pel_dirty dirty;
+        draw(&window, &s);
+        pel_dirty_begin(&dirty, NULL);
+        paint(&window, &s, &dirty.paint);
+        const struct pel_rect box = shape_box(&window);
+        if (memcmp(&dirty.box, &box, sizeof box) != 0)
+            fail_msg("%d for %d, %s", dirty.box.x0, box.x0, text_of(&s));
     }
 }
 

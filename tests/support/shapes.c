@@ -234,3 +234,19 @@ void shape_in_box(struct random *r, struct pel_point *v, int32_t n,
     }
     shape_keep(v, n);
 }
+
+struct pel_rect shape_box(const struct pel_surface *s)
+{
+    struct pel_rect box = {0, 0, 0, 0};
+    for (int32_t y = s->clip.y0; y < s->clip.y1; y++)
+        for (int32_t x = s->clip.x0; x < s->clip.x1; x++) {
+            if (pel_surface_line(s, y)[x - s->bounds.x0] == 0)
+                continue;
+            if (pel_rect_empty(&box))
+                box = (struct pel_rect){x, y, x + 1, y + 1};
+            box.x0 = pel_min(box.x0, x);
+            box.x1 = pel_max(box.x1, x + 1);
+            box.y1 = y + 1;
+        }
+    return box;
+}

@@ -30,6 +30,9 @@ struct pel_rect shape_window(struct random *r, const struct pel_point *v,
 /* Bounds of any surface, up to that size, near zero or anywhere. */
 struct pel_rect shape_bounds(struct random *r, int32_t width, int32_t height);
 
+/* The box of the pixels of 8 bits, inside the clip, that are not 0. */
+struct pel_rect shape_box(const struct pel_surface *s);
+
 /* The window, or a part of it (which may be empty). */
 struct pel_rect shape_clip(struct random *r, const struct pel_rect *window);
 
