@@ -75,9 +75,9 @@
  * texture, a dither or text up to 3 times, of flat colors as long as before
  * (docs/MATRIX.md has both); a smooth edge up to 10 times. Nothing but the
  * program sets this: -Os alone takes at most 1.3 times as long as -O2; text,
- * fans, nine slices, patterns, bilinear textures and blends at most 1.6 times,
- * and gradients in other shapes than rectangles up to 1.9. Either way every
- * paint fits every aliased shape in 384 bytes of stack. */
+ * fans, nine slices, patterns, textures, blends and Phong at most 1.6 times, and
+ * gradients in other shapes than rectangles, or horizontal on an M0+, up to 2.5.
+ * Either way every paint fits every aliased shape in 384 bytes of stack. */
 #ifndef PEL_SMALL_CODE
 #define PEL_SMALL_CODE 0
 #endif

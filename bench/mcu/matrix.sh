@@ -66,10 +66,10 @@ by `make bench-mcu`, at -O2, -Os and small; and what init and drawing of 8 x 8 p
 take on rgb565; and flash and stack of a program that fills a rectangle with the
 paint (tests/link/paint.c), where `make size` has it. `make bench-mcu ACCEPT=1`
 writes this file. No cell takes more than 1.3 times as much at -Os as at -O2; text,
-fans, nine slices, patterns, bilinear textures and blends at most 1.6 times: they
-keep fewer rows or colors on the stack, of which every shape with every paint takes
-at most 384 bytes. Other shapes than rectangles hand on half as many rows: there a
-gradient takes up to 1.9 times.
+fans, nine slices, patterns, textures, blends and Phong at most 1.6 times: they keep
+fewer rows or colors on the stack, of which every shape with every paint takes at
+most 384 bytes. Other shapes than rectangles hand on half as many rows: there a
+gradient takes up to 2.5 times, as horizontal ones do in rectangles of an M0+.
 Paints are at the place where bench/mcu/matrix.c has them: 24 to 216 px from the
 left of a screen of 240 x 320, eight rows 32 px above its middle, gradients of two
 colours from side to side or corner to corner, `alpha` 128 of 255, textures and
