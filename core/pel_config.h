@@ -1,8 +1,8 @@
 /* Knobs of Pel. Each has a default, so no configuration file is needed; a
  * program that wants others compiles with -DPEL_CONFIG_FILE='"my_pel.h"' or
  * with -DPEL_NAME=value, the library and all that includes its headers alike:
- * some knobs are sizes of structs. No knob changes a pixel: only speed and
- * size. */
+ * some knobs are sizes of structs, and so is -Os: compile all files of core
+ * with it, or none. No knob changes a pixel: only speed and size. */
 #ifndef PEL_CONFIG_H
 #define PEL_CONFIG_H
 
@@ -75,9 +75,10 @@
  * texture, a dither or text up to 3 times, of flat colors as long as before
  * (docs/MATRIX.md has both); a smooth edge up to 10 times. Nothing but the
  * program sets this: -Os alone takes at most 1.3 times as long as -O2; text,
- * fans, nine slices, patterns, textures, blends and Phong at most 1.6 times, and
- * gradients in other shapes than rectangles, or horizontal on an M0+, up to 2.5.
- * Either way every paint fits every aliased shape in 384 bytes of stack. */
+ * fans, nine slices, patterns, textures, blends and Phong at most 1.6 times,
+ * and gradients in other shapes than rectangles, or horizontal on an M0+, up
+ * to 2.5. Either way every paint fits every aliased shape in 384 bytes of
+ * stack. */
 #ifndef PEL_SMALL_CODE
 #define PEL_SMALL_CODE 0
 #endif

@@ -20,13 +20,15 @@ TAB := $(shell printf '\t')
 TEST_SANITIZE := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
 
 # host      as the user builds it
-# portable  without the walk and the vectors of 64-bit CPUs, and with short stack
+# portable  without the walk and the vectors of 64-bit CPUs
+# short     the same with -Os and the short stack of 32-bit CPUs, and sanitizers
 # san       address and undefined-behaviour sanitizers, and batches of few rows
 # assert    the sanitizers, and PEL_ASSERT counts
 # small     the portable walk as for the least code, and the least buffers
 # large     the portable walk with long products, and the largest buffers
 TEST_FLAGS_host := -O2 -g
-TEST_FLAGS_portable := -Os -g -DPEL_64BIT=0 -DPEL_VECTORS=0
+TEST_FLAGS_portable := -O2 -g -DPEL_64BIT=0 -DPEL_VECTORS=0
+TEST_FLAGS_short := $(TEST_SANITIZE) -Os -DPEL_64BIT=0 -DPEL_VECTORS=0
 TEST_FLAGS_san := $(TEST_SANITIZE) -DPEL_BATCH_ROWS=5
 TEST_FLAGS_assert := $(TEST_SANITIZE) \
     -DPEL_CONFIG_FILE='"tests/support/assert_config.h"'
@@ -34,7 +36,7 @@ TEST_FLAGS_small := -O2 -DPEL_64BIT=0 -DPEL_LONG_MULTIPLY=0 \
     -DPEL_SMALL_CODE=1 -DPEL_BATCH_ROWS=4 -DPEL_BUFFER_PIXELS=4
 TEST_FLAGS_large := -O2 -DPEL_64BIT=0 -DPEL_LONG_MULTIPLY=1 \
     -DPEL_BATCH_ROWS=255 -DPEL_BUFFER_PIXELS=255
-TEST_BUILDS := host portable san assert small large
+TEST_BUILDS := host portable short san assert small large
 
 TEST_SUPPORT := $(sort $(wildcard tests/support/*.c)) $(DRIVERS)
 TEST_UNIT := $(basename $(sort $(wildcard tests/unit/test_*.c)))
@@ -90,6 +92,8 @@ include tests/fuzz/fuzz.mk
 TEST_PROGRAMS_host := $(TEST_EXHAUSTIVE) $(TEST_PROPERTY) $(TEST_UNIT)
 TEST_PROGRAMS_portable := $(filter-out $(TEST_HOST_ONLY),$(TEST_PROPERTY)) \
     tests/exhaustive/test_base_colors
+TEST_PROGRAMS_short := $(TEST_KNOBS) tests/property/test_paint_dither \
+    tests/property/test_paint_blend tests/property/test_smooth_layer
 TEST_PROGRAMS_san := $(TEST_PROPERTY) $(TEST_UNIT)
 TEST_PROGRAMS_assert := $(TEST_ASSERT)
 TEST_PROGRAMS_small := $(TEST_KNOBS)
@@ -101,6 +105,7 @@ TEST_SCENES := $(patsubst %,$(T)/%/tests/golden/scenes,host portable san small l
 # Percentage of the cases that each build runs.
 CHECK_SCALE_host := 100
 CHECK_SCALE_portable := 20
+CHECK_SCALE_short := 3
 CHECK_SCALE_san := 3
 CHECK_SCALE_assert := 100
 CHECK_SCALE_small := 5

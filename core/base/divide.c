@@ -71,7 +71,7 @@ PEL_NOINLINE uint64_t pel_divide_fraction(uint64_t n, uint64_t d,
 }
 
 /* Bit by bit. Where n is below 0, floor(n / d) is ~floor((-1 - n) / d). */
-int64_t pel_divide_64(int64_t *n, int64_t d)
+int64_t pel_divide_64(pel_dividend *n, int64_t d)
 {
     const int64_t sign = *n >> 63;
     int64_t quotient = 0, rest = *n ^ sign, step = d;

@@ -7,6 +7,13 @@
 
 #include "inline.h"
 
+/* Where stack is short it may lie in a struct that is aligned to 4. */
+#if PEL_SHORT_STACK
+typedef int64_t pel_dividend __attribute__((__aligned__(4)));
+#else
+typedef int64_t pel_dividend;
+#endif
+
 /* pel_divide: floor(n / d); d > 0, n < d 2^32. pel_divide_64: floor(n / d), and
  * n becomes the remainder, 0 or more; d > 0. pel_divide_fraction: floor(n 2^32
  * / d), and `fine`, floor(n 2^24 / d), modulo 2^64; 0 < d < 2^63. */
@@ -17,7 +24,7 @@ static inline uint32_t pel_divide(uint64_t n, uint32_t d)
     return (uint32_t)(n / d);
 }
 
-static inline int64_t pel_divide_64(int64_t *n, int64_t d)
+static inline int64_t pel_divide_64(pel_dividend *n, int64_t d)
 {
     const int64_t rest = *n % d, quotient = *n / d;
     *n = rest < 0 ? rest + d : rest;
@@ -50,7 +57,7 @@ static inline uint64_t pel_divide_fraction(uint64_t n, uint64_t d,
 #else
 
 uint32_t pel_divide(uint64_t n, uint32_t d);
-int64_t pel_divide_64(int64_t *n, int64_t d);
+int64_t pel_divide_64(pel_dividend *n, int64_t d);
 uint64_t pel_divide_fraction(uint64_t n, uint64_t d, uint64_t *fine);
 
 #endif

@@ -5,6 +5,7 @@
 #include "fields.inc"
 #include "body565.inc"
 
+/* No channels: Gouraud has a loop of its own for it. */
 const struct pel_format pel_rgb565_le = {
     .id = PEL_FORMAT_RGB565_LE,
     FORMAT_565,

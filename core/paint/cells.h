@@ -10,6 +10,7 @@
 #ifndef PEL_PAINT_CELLS_H
 #define PEL_PAINT_CELLS_H
 
+#include "../base/divide.h"
 #include "../format/word.h"
 #include "gradient.h"
 
@@ -26,7 +27,7 @@ enum {
 #if PEL_SHORT_STACK
 typedef uint16_t pel_cell_index;
 typedef int8_t pel_cell_direction;
-typedef int64_t pel_cell_error __attribute__((__aligned__(4)));
+typedef pel_dividend pel_cell_error;
 typedef bool pel_cell_draw;
 #define PEL_CELL_FLAG(name) bool name : 1
 #else

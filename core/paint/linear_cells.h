@@ -2,7 +2,6 @@
 #ifndef PEL_PAINT_LINEAR_CELLS_H
 #define PEL_PAINT_LINEAR_CELLS_H
 
-#include "../base/divide.h"
 #include "cells.h"
 #include "paint_linear.h"
 

@@ -219,22 +219,34 @@ static PEL_NOINLINE_32 bool fill_walked(const struct pel_linear *p,
     return true;
 }
 
-static void fill(const struct pel_paint *paint, const struct pel_spans *spans);
+static void fill_anew(const struct pel_paint *paint,
+                      const struct pel_spans *spans)
+{
+    const struct pel_linear *p = (const void *)paint;
+    if (PEL_CELL_ROWS > 1 && can_walk(p, spans->surface->format->channels) &&
+        fill_walked(p, spans))
+        return;
+    const int32_t rows =
+        PEL_CELL_ROWS == 1 ? PEL_CELL_ROWS : rows_at_a_time(p, spans);
+    if (rows == 0 && spans->surface->format->put)
+        fill_pixels(p, spans);
+    else
+        pel_cells_fill_runs(paint, spans, rows, fill_rows);
+}
 
 /* Rows of a horizontal gradient are copied where there are more of them than
- * this. Where stack is short, rectangles alone hand over more; where registers
- * are few, too, it is too short for copies. */
+ * ROWS_NOT_COPIED. Where stack is short, rectangles alone hand over more; where
+ * registers are few, too, it is too short for copies. */
 enum {
-    ROWS_NOT_COPIED = !PEL_SHORT_STACK    ? 1
-                      : PEL_FEW_REGISTERS ? PEL_BATCH_ROWS
-                                          : PEL_ROWS
+    COPIES = PEL_CELL_ROWS > 1 && !(PEL_SHORT_STACK && PEL_FEW_REGISTERS),
+    ROWS_NOT_COPIED = PEL_SHORT_STACK ? PEL_ROWS : 1
 };
 
 #if PEL_64BIT
 static bool fill_copied(const struct pel_linear *p,
                         const struct pel_spans *spans)
 {
-    return pel_cells_copy(&p->base, spans, fill);
+    return pel_cells_copy(&p->base, spans, fill_anew);
 }
 #else
 static PEL_NOINLINE bool fill_copied(const struct pel_linear *p,
@@ -247,7 +259,7 @@ static PEL_NOINLINE bool fill_copied(const struct pel_linear *p,
     if (PEL_SHORT_STACK && rows_at_a_time(p, &row))
         fill_rows(&p->base.paint, &row, 1, &run);
     else
-        fill(&p->base.paint, &row);
+        fill_anew(&p->base.paint, &row);
     pel_cells_copy_row(spans, &row);
     return true;
 }
@@ -256,18 +268,9 @@ static PEL_NOINLINE bool fill_copied(const struct pel_linear *p,
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_linear *p = (const void *)paint;
-    if (PEL_CELL_ROWS > 1 && p->d.y == 0 && spans->n > ROWS_NOT_COPIED &&
-        fill_copied(p, spans))
-        return;
-    if (PEL_CELL_ROWS > 1 && can_walk(p, spans->surface->format->channels) &&
-        fill_walked(p, spans))
-        return;
-    const int32_t rows =
-        PEL_CELL_ROWS == 1 ? PEL_CELL_ROWS : rows_at_a_time(p, spans);
-    if (rows == 0 && spans->surface->format->put)
-        fill_pixels(p, spans);
-    else
-        pel_cells_fill_runs(paint, spans, rows, fill_rows);
+    if (!COPIES || p->d.y || spans->n <= ROWS_NOT_COPIED ||
+        !fill_copied(p, spans))
+        fill_anew(paint, spans);
 }
 
 enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,

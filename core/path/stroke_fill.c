@@ -62,10 +62,10 @@ static void take_side(struct bits *b, const struct pel_point *from,
     const struct pel_point *const bottom = down ? to : from;
     const int32_t first = pel_max(pel_first_pixel(top->y), b->sides.y0);
     const int32_t end = pel_min(pel_first_pixel(bottom->y), b->sides.y1);
-    uint32_t *row = row_at(b, first);
     struct pel_edge *const edge = &b->edge;
     if (first >= end)
         return;
+    uint32_t *row = row_at(b, first);
     if (first < b->top || end > b->bottom)
         take_rows(b, first, end);
     b->first = pel_min(b->first, first);

@@ -124,8 +124,9 @@ void pel_smooth_drawing_end(struct pel_smooth_drawing *d,
         target->format->put(target, span->x0, d->spans.y, n, d->colors);
 }
 
-void paint_flat(const struct pel_smooth *smooth, int32_t y,
-                const struct pel_span *span, const uint8_t *coverage)
+static PEL_NOINLINE void paint_flat(const struct pel_smooth *smooth, int32_t y,
+                                    const struct pel_span *span,
+                                    const uint8_t *coverage)
 {
     const struct pel_surface *const target = smooth->target;
     const int32_t n = span->x1 - span->x0;

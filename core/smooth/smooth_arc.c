@@ -96,9 +96,9 @@ static PEL_NOINLINE void set_outline(struct arc_outline *t,
 {
     struct pel_smooth_outline *const o = &t->lines.outline;
     const int32_t inner = round ? 2 : 1;
-    pel_smooth_lines_begin(&t->lines, t->of.cut.curve,
-                           round ? t->of.round.ends : t->of.cut.ends,
-                           t->of.cut.line, false);
+    pel_smooth_lines_begin(
+        &t->lines, round ? t->of.round.curve : t->of.cut.curve,
+        round ? t->of.round.ends : t->of.cut.ends, t->of.cut.line, false);
     set_curve(o, 0, arc->center, angles, arc->outer);
     set_curve(o, inner, arc->center, angles, arc->inner);
     o->curve[inner].circle.hole = true;

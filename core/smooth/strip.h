@@ -69,9 +69,7 @@ struct pel_smooth_strip {
     int32_t near, far;       /* 0 <= near < far, at most a pixel more */
     int32_t at_near, at_far; /* where the arc is there */
 #if !PEL_SMOOTH_TINY
-#if !PEL_SMOOTH_TINY
     uint32_t bulge; /* as pel_smooth_strip_begin sets it */
-#endif
 #endif
 };
 

@@ -1,7 +1,8 @@
 #!/bin/sh
 # layers_objects.sh SIZE NM OBJECT... : the objects of core, looked at with these
 # two programs. They hold no data that can change, and need nothing but memcpy,
-# memset and the compiler's helpers for integers.
+# memset and the compiler's helpers for integers, and all that others see of them
+# begins with pel_.
 set -eu
 size=$1
 nm=$2
@@ -27,6 +28,10 @@ $nm -A "$@" | awk '
     }
     $(NF - 1) == "U" { file = $1; sub(/:.*/, "", file); user[$NF] = file; next }
     { defined[$NF] = 1 }
+    $(NF - 1) ~ /^[A-TV-Z]$/ && $NF !~ /^pel_/ {
+        print $1 " " $NF ": what is seen outside begins with pel_" > "/dev/stderr"
+        failed = 1
+    }
     END {
         for (name in user)
             if (!(name in defined) && name !~ helpers) {
