@@ -76,7 +76,7 @@
  * (docs/MATRIX.md has both); a smooth edge up to 10 times. Nothing but the
  * program sets this: -Os alone takes at most 1.3 times as long as -O2; text,
  * fans, nine slices, patterns, textures, blends and Phong at most 1.6 times,
- * and gradients in other shapes than rectangles, or horizontal on an M0+, up
+ * and gradients in other shapes than rectangles, and horizontal ones, up
  * to 2.5. Either way every paint fits every aliased shape in 384 bytes of
  * stack. */
 #ifndef PEL_SMALL_CODE

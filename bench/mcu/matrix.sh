@@ -69,7 +69,8 @@ writes this file. No cell takes more than 1.3 times as much at -Os as at -O2; te
 fans, nine slices, patterns, textures, blends and Phong at most 1.6 times: they keep
 fewer rows or colors on the stack, of which every shape with every paint takes at
 most 384 bytes. Other shapes than rectangles hand on half as many rows: there a
-gradient takes up to 2.5 times, as horizontal ones do in rectangles of an M0+.
+gradient takes up to 2.5 times, as horizontal ones do in rectangles, too, whose rows
+are not copied there.
 Paints are at the place where bench/mcu/matrix.c has them: 24 to 216 px from the
 left of a screen of 240 x 320, eight rows 32 px above its middle, gradients of two
 colours from side to side or corner to corner, `alpha` 128 of 255, textures and

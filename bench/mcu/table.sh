@@ -5,7 +5,7 @@
 # much at -Os as at -O2, or docs/MATRIX.md is not what follows. 1.6 times hold for
 # text and paints that keep few rows or colors there, so that every pair of shape
 # and paint fits 384 bytes of stack (tests/link/pairs.sh), and 2.3 for horizontal
-# gradients on an M0+, which has none left for copies of rows. A little more
+# gradients, whose rows are not copied there. A little more
 # is what the stopwatch rounds when a call begins at another place in one of its
 # ticks. With 1, the counts are written there as the new state, budgets
 # unchanged, and the document too.
@@ -63,7 +63,7 @@ awk -F '\t' -v OFS='\t' -v accept="${2-}" -v new="$new" '
                 fail($1 " " $2 " " $3 ": " now " instructions with " \
                      levels[i] ", was " $(4 + i))
         }
-        most = $1 ~ /m0plus/ && $2 ~ /horizontal$/ ? 2.3 : $2 ~ few ? 1.6 : 1.3
+        most = $2 ~ /horizontal$/ ? 2.3 : $2 ~ few ? 1.6 : 1.3
         if ($2 ~ /\// && at_os > most * at_o2 + .02)
             fail($1 " " $2 " " $3 ": " at_os " instructions at -Os, " at_o2 \
                  " at -O2")

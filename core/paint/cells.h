@@ -183,24 +183,14 @@ static inline bool pel_cells_are_many(const struct pel_gradient *g,
            pel_spans_hull(&hull, spans->span, spans->n) < g->cells;
 }
 
-/* All rows of a horizontal gradient are alike, so one is drawn, and the others
- * are copied from it; but not where that does not pay, or is wrong (colors are
- * blended, pixels share bytes, or the format is a dither's or the program's
- * own). In cells_copy.c. */
-
-/* On CPUs of 64 bits: draws one by `fill` into a buffer. False, and nothing is
- * done: see above. */
+/* All rows of a horizontal gradient are alike, so one is drawn by `fill`, and
+ * the others are copied from it. False, and nothing is done: that does not pay,
+ * or is wrong (colors are blended, pixels share bytes, or the format is a
+ * dither's or the program's own). In cells_copy.c. */
 bool pel_cells_copy(const struct pel_gradient *gradient,
                     const struct pel_spans *spans,
                     void (*fill)(const struct pel_paint *paint,
                                  const struct pel_spans *spans));
-
-/* On others: leaves of spans one that has the columns of all others. False: see
- * above. When it is drawn it is copied. */
-bool pel_cells_row_to_copy(const struct pel_gradient *gradient,
-                           struct pel_spans *spans);
-void pel_cells_copy_row(const struct pel_spans *spans,
-                        const struct pel_spans *row);
 
 /* Takes the color of the cell at c->index. */
 void pel_cells_color(struct pel_cells *c);

@@ -4,6 +4,9 @@
 #include "../format/word.h"
 #include "cells.h"
 
+typedef void fill_row(const struct pel_paint *paint,
+                      const struct pel_spans *spans);
+
 /* Copies the columns of `piece` that rows have, from row y of a surface, which
  * may be one of them. */
 static void copy_piece(const struct pel_spans *to,
@@ -22,41 +25,20 @@ static void copy_piece(const struct pel_spans *to,
     }
 }
 
-static bool is_opaque(const struct pel_ramp *ramp)
-{
-    pel_color all = ramp->colors[0];
-    for (int32_t i = 1; i < ramp->n; i++)
-        all &= ramp->colors[i];
-    return pel_alpha(all) == 255;
-}
-
-/* Do copies pay, and are they right? */
-static bool can_copy(const struct pel_gradient *g,
-                     const struct pel_spans *spans, struct pel_span *hull)
-{
-    const struct pel_format *const format = spans->surface->format;
-    const int32_t pixels = pel_spans_hull(hull, spans->span, spans->n);
-    return format->bits >= 8 && format->id < 128 &&
-           pixels >= 2 * (hull->x1 - hull->x0) && pixels >= g->ramp.n &&
-           is_opaque(&g->ramp);
-}
-
 #if PEL_64BIT
 
 /* A screen may be slow to read: pieces of a row are drawn into a buffer. */
-bool pel_cells_copy(const struct pel_gradient *g, const struct pel_spans *spans,
-                    void (*fill)(const struct pel_paint *paint,
-                                 const struct pel_spans *spans))
+static bool copy_rows(const struct pel_gradient *g,
+                      const struct pel_spans *spans,
+                      const struct pel_span *hull, fill_row *fill)
 {
     uint32_t buffer[2048];
     struct pel_surface row = *spans->surface;
     const int32_t pixels = (int32_t)sizeof buffer * 8 / row.format->bits;
-    struct pel_span hull, piece;
-    if (!can_copy(g, spans, &hull))
-        return false;
     row.pixels = buffer;
-    for (piece = hull; piece.x0 < hull.x1; piece.x0 = piece.x1) {
-        piece.x1 = pel_min(piece.x0 + pixels, hull.x1);
+    struct pel_span piece = *hull;
+    for (; piece.x0 < hull->x1; piece.x0 = piece.x1) {
+        piece.x1 = pel_min(piece.x0 + pixels, hull->x1);
         row.bounds = (struct pel_rect){piece.x0, 0, piece.x1, 1};
         fill(&g->paint, &(struct pel_spans){&row, &piece, 0, 1, 1});
         copy_piece(spans, &row, 0, piece);
@@ -66,21 +48,40 @@ bool pel_cells_copy(const struct pel_gradient *g, const struct pel_spans *spans,
 
 #else
 
-bool pel_cells_row_to_copy(const struct pel_gradient *g,
-                           struct pel_spans *spans)
+/* Stack is short: a row that has the columns of all others is drawn. */
+static bool copy_rows(const struct pel_gradient *g,
+                      const struct pel_spans *spans,
+                      const struct pel_span *hull, fill_row *fill)
 {
-    struct pel_span hull;
-    int32_t n = can_copy(g, spans, &hull) ? spans->n : 0;
-    for (spans->n = 1; n > 0; n--, spans->span++, spans->y += spans->step)
-        if (spans->span->x0 == hull.x0 && spans->span->x1 == hull.x1)
+    struct pel_spans one = *spans;
+    for (int32_t left = spans->n; left; left--, one.span++, one.y += one.step) {
+        one.n = 1;
+        if (one.span->x0 == hull->x0 && one.span->x1 == hull->x1) {
+            fill(&g->paint, &one);
+            copy_piece(spans, spans->surface, one.y, *hull);
             return true;
+        }
+    }
     return false;
 }
 
-void pel_cells_copy_row(const struct pel_spans *spans,
-                        const struct pel_spans *row)
+#endif
+
+static bool is_opaque(const struct pel_ramp *ramp)
 {
-    copy_piece(spans, row->surface, row->y, *row->span);
+    pel_color all = ramp->colors[0];
+    for (int32_t i = 1; i < ramp->n; i++)
+        all &= ramp->colors[i];
+    return pel_alpha(all) == 255;
 }
 
-#endif
+bool pel_cells_copy(const struct pel_gradient *g, const struct pel_spans *spans,
+                    fill_row *fill)
+{
+    const struct pel_format *const format = spans->surface->format;
+    struct pel_span hull;
+    const int32_t pixels = pel_spans_hull(&hull, spans->span, spans->n);
+    return format->bits >= 8 && format->id < 128 &&
+           pixels >= 2 * (hull.x1 - hull.x0) && pixels >= g->ramp.n &&
+           is_opaque(&g->ramp) && copy_rows(g, spans, &hull, fill);
+}

@@ -234,42 +234,12 @@ static void fill_anew(const struct pel_paint *paint,
         pel_cells_fill_runs(paint, spans, rows, fill_rows);
 }
 
-/* Rows of a horizontal gradient are copied where there are more of them than
- * ROWS_NOT_COPIED. Where stack is short, rectangles alone hand over more; where
- * registers are few, too, it is too short for copies. */
-enum {
-    COPIES = PEL_CELL_ROWS > 1 && !(PEL_SHORT_STACK && PEL_FEW_REGISTERS),
-    ROWS_NOT_COPIED = PEL_SHORT_STACK ? PEL_ROWS : 1
-};
-
-#if PEL_64BIT
-static bool fill_copied(const struct pel_linear *p,
-                        const struct pel_spans *spans)
-{
-    return pel_cells_copy(&p->base, spans, fill_anew);
-}
-#else
-static PEL_NOINLINE bool fill_copied(const struct pel_linear *p,
-                                     const struct pel_spans *spans)
-{
-    struct pel_span run;
-    struct pel_spans row = *spans;
-    if (!pel_cells_row_to_copy(&p->base, &row))
-        return false;
-    if (PEL_SHORT_STACK && rows_at_a_time(p, &row))
-        fill_rows(&p->base.paint, &row, 1, &run);
-    else
-        fill_anew(&p->base.paint, &row);
-    pel_cells_copy_row(spans, &row);
-    return true;
-}
-#endif
-
+/* Rows of a horizontal gradient are copied, but not where stack is short. */
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_linear *p = (const void *)paint;
-    if (!COPIES || p->d.y || spans->n <= ROWS_NOT_COPIED ||
-        !fill_copied(p, spans))
+    if (PEL_SHORT_STACK || PEL_CELL_ROWS == 1 || p->d.y ||
+        !pel_cells_copy(&p->base, spans, fill_anew))
         fill_anew(paint, spans);
 }
 

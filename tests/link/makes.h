@@ -207,12 +207,15 @@ static inline const struct pel_paint *make_user(void)
 }
 
 /* All of them, each as EACH(name). */
-#define EVERY_MAKE(EACH)                                                       \
-    EACH(flat), EACH(flat_alpha), EACH(gouraud), EACH(linear), EACH(vertical), \
-        EACH(horizontal), EACH(narrow), EACH(radial), EACH(narrow_rings),      \
-        EACH(conic), EACH(hue), EACH(fan), EACH(nearest),                      \
-        EACH(nearest_colors), EACH(nearest_converted), EACH(bilinear),         \
-        EACH(dither), EACH(blend), EACH(checker), EACH(hatch),                 \
-        EACH(nine_slice), EACH(user)
+#define EVERY_MAKE(EACH)                                                     \
+    EACH(flat), EACH(flat_alpha), EACH(gouraud), EACH(linear), EACH(radial), \
+        EACH(conic), EACH(hue), EACH(fan), EACH(nearest),                    \
+        EACH(nearest_colors), EACH(bilinear), EACH(dither), EACH(blend),     \
+        EACH(checker), EACH(hatch), EACH(nine_slice), EACH(user)
+
+/* Other ways through some of them. */
+#define EVERY_WAY(EACH)                                                 \
+    EACH(vertical), EACH(horizontal), EACH(narrow), EACH(narrow_rings), \
+        EACH(nearest_converted)
 
 #endif

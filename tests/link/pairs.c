@@ -23,7 +23,7 @@ static const struct {
 static const struct {
     const char *name;
     make_function *make;
-} paints[] = {EVERY_MAKE(NAMED_MAKE)};
+} paints[] = {EVERY_MAKE(NAMED_MAKE), EVERY_WAY(NAMED_MAKE)};
 
 struct pair {
     draw_function *draw;
