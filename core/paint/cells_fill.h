@@ -124,7 +124,8 @@ typedef void pel_cells_filler(const struct pel_paint *paint,
                               const struct pel_spans *spans, int32_t most,
                               struct pel_span *run);
 
-/* Where stack is short: runs of PEL_ROWS - 1, PEL_ROWS and PEL_CELL_ROWS. */
+/* Where stack is short: runs of PEL_ROWS - 1, PEL_ROWS and PEL_CELL_ROWS; or of
+ * as many of the latter two as there are rows. */
 void pel_cells_fill_fewer(const struct pel_paint *paint,
                           const struct pel_spans *spans, int32_t most,
                           pel_cells_filler *fill);
@@ -135,16 +136,12 @@ void pel_cells_fill_many(const struct pel_paint *paint,
                          const struct pel_spans *spans, int32_t most,
                          pel_cells_filler *fill);
 
-static PEL_ALWAYS_INLINE void pel_cells_fill_runs(const struct pel_paint *paint,
-                                                  const struct pel_spans *spans,
-                                                  int32_t most,
-                                                  pel_cells_filler *fill)
+static inline void pel_cells_fill_apart(const struct pel_paint *paint,
+                                        const struct pel_spans *spans,
+                                        int32_t most, pel_cells_filler *fill)
 {
-    if (PEL_SHORT_STACK)
-        (spans->n > PEL_ROWS ? pel_cells_fill_many
-                             : pel_cells_fill_few)(paint, spans, most, fill);
-    else
-        fill(paint, spans, most, NULL);
+    (spans->n > PEL_ROWS ? pel_cells_fill_many
+                         : pel_cells_fill_few)(paint, spans, most, fill);
 }
 
 #endif

@@ -118,12 +118,12 @@ static PEL_STEP_OR_INLINE void fill_rows(const struct pel_paint *paint,
 
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
-    /* The ray takes the stack of a run. */
-    if (PEL_SHORT_STACK && spans->n <= PEL_ROWS) {
+    if (!PEL_SHORT_STACK)
+        fill_rows(paint, spans, PEL_CELL_ROWS, NULL);
+    else if (spans->n > PEL_ROWS)
+        pel_cells_fill_many(paint, spans, PEL_CELL_ROWS, fill_rows);
+    else /* the ray takes the stack of a run */
         pel_cells_fill_fewer(paint, spans, PEL_ROWS - 1, fill_rows);
-        return;
-    }
-    pel_cells_fill_runs(paint, spans, PEL_CELL_ROWS, fill_rows);
 }
 
 static enum pel_status begin(struct pel_conic *paint, struct pel_point center,
