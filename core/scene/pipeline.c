@@ -116,7 +116,7 @@ static PEL_HOT bool meets(int32_t a, int32_t b, int32_t c, int32_t begin,
 }
 
 /* Twice, and of either sign. */
-static int64_t area_of(const struct pel_point at[3])
+static int64_t area_of(const struct pel_point *at)
 {
     return pel_product(at[1].x - at[0].x, at[2].y - at[0].y) -
            pel_product(at[2].x - at[0].x, at[1].y - at[0].y);
