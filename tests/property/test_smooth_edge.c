@@ -8,7 +8,7 @@
 static void print_edge(const void *edge)
 {
     const struct pel_point *const v = edge;
-    printf("from %d %d to %d %d\n", v[0].x, v[0].y, v[1].x, v[1].y);
+    fprintf(stderr, "from %d %d to %d %d\n", v[0].x, v[0].y, v[1].x, v[1].y);
 }
 
 /* 1/w as smooth_edge.h has it, rounded down. */
