@@ -169,8 +169,8 @@ int32_t pel_spans_hull(struct pel_span *hull, const struct pel_span *span,
 
 /* Sets the rows, x, hi and where runs begin. While x, which the caller has
  * moved to hi, is not the end of the batch, that goes on there; else the next
- * one begins, of at most `most` <= PEL_CELL_ROWS rows. With `most` 0 it has one
- * row, and hi is the next pixel. False when no pixel is left. */
+ * one begins, of at most cells->most rows. Where that is 0 it has one row, and
+ * hi is the next pixel. False when no pixel is left. */
 bool pel_cells_next(struct pel_cells *cells);
 
 /* Of narrow cells: are there more than a walk should pass? Of a ramp that does
