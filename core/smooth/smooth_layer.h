@@ -71,7 +71,7 @@ static PEL_NOINLINE_32 PEL_UNUSED void pel_smooth_paint_full(
 
 #if PEL_SMOOTH_TINY
 /* Pixels whose colors are weighed at a time. */
-enum { PEL_SMOOTH_PIXELS = PEL_SMALL_CODE ? 4 : 8 };
+enum { PEL_SMOOTH_PIXELS = 4 };
 
 /* What a paint is given to color so many pixels of a row at most. */
 struct pel_smooth_drawing {
