@@ -74,23 +74,36 @@
  * core 7 of 34. A pixel of a gradient takes 5 to 17 times as long, of a
  * texture, a dither or text up to 3 times, of flat colors as long as before
  * (docs/MATRIX.md has both); a smooth edge up to 10 times. Nothing but the
- * program sets this: -Os alone takes at most 1.3 times as long as -O2; text,
- * fans, nine slices, patterns, textures, blends and Phong at most 1.6 times,
- * and gradients in other shapes than rectangles, and horizontal ones, up
- * to 2.5. Either way every paint fits every aliased shape in 384 bytes of
- * stack. */
+ * program sets this. The stack is as short as with the next knob. */
 #ifndef PEL_SMALL_CODE
 #define PEL_SMALL_CODE 0
 #endif
 
+/* 1: every paint fits every shape in 384 bytes of stack, smooth shapes too. The
+ * default with -Os on CPUs of 32 bits; not on an ESP32, whose tasks have
+ * kilobytes. Text, fans, nine slices, patterns, textures, blends and Phong take
+ * up to 1.6 times as long as with 0, gradients in other shapes than rectangles,
+ * and horizontal ones, up to 2.5 times, smooth edges 2 to 6 times. With 0 -Os
+ * takes 1.1 times as long as -O2, 1.5 times at most; a smooth shape has up to
+ * 2.6 KB of stack then, and 4 to 8 KB more code. */
+#if PEL_SMALL_CODE
+#undef PEL_SHORT_STACK
+#define PEL_SHORT_STACK 0
+#elif defined(PEL_SHORT_STACK)
+#elif defined(__OPTIMIZE_SIZE__) && !defined(ESP_PLATFORM)
+#define PEL_SHORT_STACK (!PEL_64BIT)
+#else
+#define PEL_SHORT_STACK 0
+#endif
+
 /* Rows that a shape hands to a paint at a time, 4 to 255: 8 bytes of stack
- * each. With -Os on CPUs of 32 bits at most 4, but in rectangles. */
+ * each; at most 4 where PEL_SHORT_STACK is 1, but in rectangles. */
 #ifndef PEL_BATCH_ROWS
 #define PEL_BATCH_ROWS (PEL_64BIT ? 255 : PEL_SMALL_CODE ? 4 : 8)
 #endif
 
 /* Pixels of the color buffer between a paint and a format, 4 to 255: 4 bytes
- * of stack each. With -Os on CPUs of 32 bits at most 8. */
+ * of stack each; at most 8 where PEL_SHORT_STACK is 1. */
 #ifndef PEL_BUFFER_PIXELS
 #define PEL_BUFFER_PIXELS (PEL_64BIT ? 32 : PEL_SMALL_CODE ? 4 : 16)
 #endif

@@ -86,20 +86,17 @@ static inline int pel_trailing_zeros(uint32_t v)
 #define PEL_HOT_LOOP inline
 #endif
 
-/* Where the compiler optimises for size stack is short, too: a shape's and a
- * paint's add up, to 384 bytes at most. Then few rows and colors are kept on it
- * at a time. A PEL_STEP is a function of its own there, whose stack is free
- * again when it returns; PEL_STEPS, which call it, are not. Elsewhere a
- * PEL_STEP_OR_INLINE is always inlined, a PEL_STEP_OF_FEW also where there are
- * more registers than Thumb-1 has. */
-#if defined(__OPTIMIZE_SIZE__) && !PEL_64BIT && !PEL_SMALL_CODE
-#define PEL_SHORT_STACK 1
+/* Where stack is short a shape's and a paint's add up to 384 bytes at most.
+ * Then few rows and colors are kept on it at a time. A PEL_STEP is a function
+ * of its own there, whose stack is free again when it returns; PEL_STEPS, which
+ * call it, are not. Elsewhere a PEL_STEP_OR_INLINE is always inlined, a
+ * PEL_STEP_OF_FEW also where there are more registers than Thumb-1 has. */
+#if PEL_SHORT_STACK
 #define PEL_AT_A_TIME(n, few) ((n) < (few) ? (n) : (few))
 #define PEL_STEP PEL_NOINLINE
 #define PEL_STEPS PEL_ALWAYS_INLINE
 #define PEL_STEP_OR_INLINE PEL_NOINLINE
 #else
-#define PEL_SHORT_STACK 0
 #define PEL_AT_A_TIME(n, few) (n)
 #define PEL_STEP PEL_HOT
 #define PEL_STEPS PEL_NOINLINE_32

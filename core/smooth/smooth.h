@@ -43,7 +43,7 @@ struct pel_smooth_row {
 /* Where flash and stack are scarce there is one way for all rows, which is
  * slower: functions have returned (PEL_SMOOTH_APART) when something is painted.
  */
-#if PEL_SMALL_CODE || defined(__OPTIMIZE_SIZE__)
+#if PEL_SMALL_CODE || PEL_SHORT_STACK
 #define PEL_SMOOTH_TINY 1
 #define PEL_SMOOTH_APART PEL_NOINLINE
 #else

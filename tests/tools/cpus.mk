@@ -38,11 +38,13 @@ CPU_VARIANT_narrow := -DPEL_64BIT=0
 CPU_VARIANT_nofill := -DPEL_FAST_FILLS=0
 CPU_VARIANT_plain := -DPEL_VECTORS=0
 CPU_VARIANT_small := -DPEL_SMALL_CODE=1
+# Nor do 32-bit CPUs with -Os.
+CPU_VARIANT_deep := -DPEL_SHORT_STACK=0
 
 CPU_CHECK := $(foreach o,O0 Os O3,gcc-host-$o clang-host-$o) \
     gcc-host-O2-narrow gcc-host-O2-nofill clang-host-O2-plain gcc-armhf-O0 \
     $(foreach p,i686 armhf aarch64 s390x,gcc-$p-O2) clang-wasm-O0 clang-wasm-O2
-CPU_CHECK_BOARDS := gcc-m4-O0 $(BOARDS:%=gcc-%-O2)
+CPU_CHECK_BOARDS := gcc-m4-O0 gcc-m0plus-Os-deep $(BOARDS:%=gcc-%-O2)
 CPU_CHECK_SMALL := $(SMALL_BOARDS:%=gcc-%-O2)
 CPU_DEEP := $(foreach c,gcc clang,$(foreach o,O0 Os O2 O3,\
     $(foreach p,$(CPUS),$c-$p-$o) \
