@@ -7,7 +7,7 @@
  * byte; 2, back by it; 3, by the next two bytes, a signed number, low byte
  * first. y grows upwards, from the baseline; all coordinates are from -32,768
  * to 32,767. Parts close by themselves; between two control points of quadratic
- * curves next to each other a curve ends in the middle, rounded down. */
+ * curves next to each other a curve ends in the middle. */
 #ifndef PEL_ASSET_OUTLINE_FONT_ASSET_H
 #define PEL_ASSET_OUTLINE_FONT_ASSET_H
 

@@ -50,27 +50,25 @@ static enum pel_status end_part(struct pel_outline_points *p)
     return end_curve(p);
 }
 
-/* A quadratic curve ends half-way between two controls, (x, y) and this one. */
-static enum pel_status end_half_way(struct pel_outline_points *p, int32_t x,
-                                    int32_t y)
+/* A quadratic curve ends half-way between its control and the next one, v. */
+static enum pel_status end_half_way(struct pel_outline_points *p,
+                                    struct pel_point v)
 {
+    const struct pel_point *const c = &p->curves.v[p->controls];
     if (p->kind != PEL_OUTLINE_QUAD || p->controls == 0)
         return PEL_OK;
-    if (!pel_transform_point(p->transform, (x + p->x) >> 1, (y + p->y) >> 1,
-                             &p->curves.v[p->controls + 1]))
-        return PEL_ERROR_RANGE;
+    p->curves.v[p->controls + 1] =
+        (struct pel_point){(c->x + v.x) >> 1, (c->y + v.y) >> 1};
     return end_curve(p);
 }
 
-/* Behind (x, y). */
-static enum pel_status draw_point(struct pel_outline_points *p, int32_t x,
-                                  int32_t y)
+static enum pel_status draw_point(struct pel_outline_points *p)
 {
     struct pel_point v;
     if (!pel_transform_point(p->transform, p->x, p->y, &v))
         return PEL_ERROR_RANGE;
     const enum pel_status status =
-        p->kind == PEL_OUTLINE_BEGIN ? end_part(p) : end_half_way(p, x, y);
+        p->kind == PEL_OUTLINE_BEGIN ? end_part(p) : end_half_way(p, v);
     if (status != PEL_OK)
         return status;
     if (p->kind >= PEL_OUTLINE_QUAD) {
@@ -102,9 +100,8 @@ static enum pel_status walk_glyph(const void *shape, struct pel_sides *sides)
         ((const struct pel_outline_placed *)shape)->points;
     enum pel_status status = PEL_OK;
     begin_points(shape, sides);
-    for (int32_t x = 0, y = 0; status == PEL_OK && take_point(p);
-         x = p->x, y = p->y)
-        status = draw_point(p, x, y);
+    while (status == PEL_OK && take_point(p))
+        status = draw_point(p);
     if (status == PEL_OK)
         status = end_part(p);
     return status == PEL_OK ? p->pen.pen.draw(&p->pen.pen, PEL_MOVE, NULL)

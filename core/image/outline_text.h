@@ -40,7 +40,8 @@ struct pel_transform pel_outline_transform(
 /* Fills the glyphs of the text by the rule non-zero, each as pel_path_fill does
  * its outline: a shape of its own. The pen and line feeds are those of pel_text
  * in units of the font; where its place is rounded to 1/256 px the glyph's
- * points are rounded from there. A glyph is walked only where the font's box
+ * points are rounded from there, and the middle of two controls is that of the
+ * rounded ones, rounded down. A glyph is walked only where the font's box
  * around it meets the clip. Scratch memory is that of pel_path_fill; errors
  * too, of the first glyph that has one, and the text ends there. A glyph whose
  * pen is out of range is left out. */

@@ -58,7 +58,7 @@ static int line_to(const FT_Vector *to, void *user)
 /* FreeType rounds what lies half-way between two whole numbers to either. */
 static bool is_half_way(FT_Pos a, FT_Pos b, FT_Pos middle)
 {
-    const int off = unit(a) + unit(b) - 2 * unit(middle);
+    const FT_Pos off = a + b - 2 * middle;
     return off >= -1 && off <= 1;
 }
 
