@@ -17,6 +17,10 @@
 #define PEL_CAST_ADDRESS(type, value) ((type)(value))
 #endif
 
+/* Does not compile unless the condition, a constant, holds. */
+#define PEL_STATIC_ASSERT(name, condition) \
+    typedef char name[(condition) ? 1 : -1]
+
 /* PEL_ALWAYS_INLINE: but not where the compiler is told to inline nothing, as
  * with -O0. PEL_NOINLINE: the function's stack is free again when it returns.
  * PEL_MAY_ALIAS: words of this type may lie in an array of another type. */

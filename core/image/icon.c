@@ -58,7 +58,7 @@ struct drawing {
     struct pel_icon_run run;
 };
 
-typedef char pel_icon_fits[sizeof(struct drawing) <= PEL_ICON_SIZE ? 1 : -1];
+PEL_STATIC_ASSERT(pel_icon_fits, sizeof(struct drawing) <= PEL_ICON_SIZE);
 
 /* The program's with the alpha of the part. */
 static pel_color program_color(pel_color color, pel_color part)

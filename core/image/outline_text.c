@@ -4,13 +4,12 @@
 #include "../path/transform.h"
 #include "outline_glyphs.h"
 
-typedef char pel_outline_drawing_fits
-    [sizeof(struct pel_outline_drawing) <= PEL_PENS_SIZE ? 1 : -1];
-typedef char pel_outline_points_are_overwritten
-    [PEL_SMOOTH_PENS_AT + offsetof(struct pel_outline_drawing, points) <=
-             PEL_SMOOTH_PAINT_AT
-         ? 1
-         : -1];
+PEL_STATIC_ASSERT(pel_outline_drawing_fits,
+                  sizeof(struct pel_outline_drawing) <= PEL_PENS_SIZE);
+PEL_STATIC_ASSERT(pel_outline_points_are_overwritten,
+                  PEL_SMOOTH_PENS_AT +
+                          offsetof(struct pel_outline_drawing, points) <=
+                      PEL_SMOOTH_PAINT_AT);
 
 /* How far a coordinate moves; sizes are those of the asset. */
 static int32_t take_move(struct pel_outline_points *p, uint32_t size)

@@ -18,11 +18,9 @@ struct dasher {
     bool has_length;            /* this part, up to here */
 };
 
-typedef char
-    pel_pens_fit[sizeof(struct dasher) + sizeof(struct pel_path_state) <=
-                         PEL_PENS_SIZE
-                     ? 1
-                     : -1];
+PEL_STATIC_ASSERT(pel_pens_fit,
+                  sizeof(struct dasher) + sizeof(struct pel_path_state) <=
+                      PEL_PENS_SIZE);
 
 /* Dashes and gaps change places from period to period where they are odd. */
 static int32_t index_count(const struct pel_dashes *dashes)

@@ -40,11 +40,9 @@ struct fill {
     struct pel_path_state state;
 };
 
-typedef char
-    pel_fill_fits[PEL_PATH_SCRATCH_SIZE(0) >=
-                          sizeof(struct fill) + PEL_POLYGON_SCRATCH_SIZE(0)
-                      ? 1
-                      : -1];
+PEL_STATIC_ASSERT(pel_fill_fits,
+                  PEL_PATH_SCRATCH_SIZE(0) >=
+                      sizeof(struct fill) + PEL_POLYGON_SCRATCH_SIZE(0));
 
 static void begin_sweep(struct pel_sides *sides)
 {
@@ -99,14 +97,8 @@ enum pel_status pel_path_fill(const struct pel_surface *surface,
                               const struct pel_paint *paint, void *scratch,
                               size_t size)
 {
-    const struct pel_scratch memory = {scratch, size};
-    if (!shape)
-        return PEL_ERROR_NULL;
-    const enum pel_status status =
-        pel_sides_begin_fill(surface, shape->rule, paint, &memory);
-    return status == PEL_OK
-               ? pel_sides_draw(scratch, pel_path_walk_sides, shape)
-               : status;
+    return pel_sides_fill_path(pel_sides_begin_fill, surface, shape, paint,
+                               &(const struct pel_scratch){scratch, size});
 }
 
 struct hit {

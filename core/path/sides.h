@@ -100,8 +100,20 @@ enum pel_status pel_sides_draw(struct pel_sides_painter *painter,
 bool pel_sides_hit(pel_outline_walk *walk, const void *shape,
                    enum pel_fill_rule rule, int32_t x, int32_t y);
 
-/* The source of the fill of a struct pel_path_shape. */
+/* The source of the fill of a struct pel_path_shape, and that fill. */
 enum pel_status pel_path_walk_sides(const void *shape, struct pel_sides *sides);
+static PEL_ALWAYS_INLINE enum pel_status pel_sides_fill_path(
+    pel_sides_begin *begin, const struct pel_surface *surface,
+    const struct pel_path_shape *shape, const struct pel_paint *paint,
+    const struct pel_scratch *scratch)
+{
+    if (!shape)
+        return PEL_ERROR_NULL;
+    const enum pel_status status = begin(surface, shape->rule, paint, scratch);
+    return status == PEL_OK
+               ? pel_sides_draw(scratch->memory, pel_path_walk_sides, shape)
+               : status;
+}
 
 /* The lines of the shapes of strokes. */
 struct pel_pen;

@@ -12,14 +12,16 @@ struct smooth {
 };
 
 #if PEL_SMOOTH_TINY
-typedef char
-    pel_smooth_paint_fits[sizeof(struct pel_smooth_drawing) <=
-                                  PEL_SMOOTH_EDGES_AT - PEL_SMOOTH_PAINT_AT
-                              ? 1
-                              : -1];
+PEL_STATIC_ASSERT(pel_smooth_paint_fits,
+                  sizeof(struct pel_smooth_drawing) <=
+                      PEL_SMOOTH_EDGES_AT - PEL_SMOOTH_PAINT_AT);
 #endif
-typedef char
-    pel_smooth_path_fits[sizeof(struct smooth) <= PEL_SMOOTH_PENS_AT ? 1 : -1];
+PEL_STATIC_ASSERT(pel_smooth_path_fits,
+                  sizeof(struct smooth) <= PEL_SMOOTH_PENS_AT);
+PEL_STATIC_ASSERT(pel_smooth_path_is_aligned,
+                  PEL_SMOOTH_EDGES_AT % 8 == 0 &&
+                      PEL_SMOOTH_PENS_AT % sizeof(void *) == 0 &&
+                      PEL_SMOOTH_PAINT_AT % sizeof(void *) == 0);
 
 static void begin(struct pel_sides *sides)
 {
@@ -102,14 +104,8 @@ enum pel_status pel_smooth_path_fill(const struct pel_surface *surface,
                                      const struct pel_paint *paint,
                                      void *scratch, size_t size)
 {
-    const struct pel_scratch memory = {scratch, size};
-    if (!shape)
-        return PEL_ERROR_NULL;
-    const enum pel_status status =
-        pel_sides_begin_smooth(surface, shape->rule, paint, &memory);
-    return status == PEL_OK
-               ? pel_sides_draw(scratch, pel_path_walk_sides, shape)
-               : status;
+    return pel_sides_fill_path(pel_sides_begin_smooth, surface, shape, paint,
+                               &(const struct pel_scratch){scratch, size});
 }
 
 static PEL_ALWAYS_INLINE enum pel_status draw_stroke(

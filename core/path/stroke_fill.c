@@ -29,7 +29,7 @@ struct bits {
     struct pel_edge edge;
 };
 
-typedef char pel_bits_fit[sizeof(struct bits) <= PEL_TAKER_SIZE ? 1 : -1];
+PEL_STATIC_ASSERT(pel_bits_fit, sizeof(struct bits) <= PEL_TAKER_SIZE);
 
 /* The borders of row y, and behind them its bits. */
 static inline uint32_t *row_at(const struct bits *b, int32_t y)

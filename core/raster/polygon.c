@@ -2,12 +2,10 @@
 
 #include "sweep.h"
 
-typedef char pel_polygon_side_fits[PEL_POLYGON_SCRATCH_SIZE(1) ==
-                                           sizeof(struct pel_sweep) +
-                                               sizeof(struct pel_sweep_side) +
-                                               sizeof(int32_t)
-                                       ? 1
-                                       : -1];
+PEL_STATIC_ASSERT(pel_polygon_side_fits, PEL_POLYGON_SCRATCH_SIZE(1) ==
+                                             sizeof(struct pel_sweep) +
+                                                 sizeof(struct pel_sweep_side) +
+                                                 sizeof(int32_t));
 
 size_t pel_polygon_scratch_size(int32_t n)
 {

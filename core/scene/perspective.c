@@ -10,10 +10,8 @@ struct pel_divided_triangle {
     const struct pel_color_paint *surface; /* or NULL */
 };
 
-typedef char pel_perspective_size[sizeof(struct pel_divided_triangle) <=
-                                          PEL_PERSPECTIVE_SCRATCH_SIZE
-                                      ? 1
-                                      : -1];
+PEL_STATIC_ASSERT(pel_perspective_size, sizeof(struct pel_divided_triangle) <=
+                                            PEL_PERSPECTIVE_SCRATCH_SIZE);
 
 enum { SPAN = 8 };
 

@@ -4,12 +4,10 @@
 
 /* Scratch memory: work, that of the shading, lights, vertices, order; all
  * multiples of 8 bytes. */
-typedef char pel_scene_sizes[sizeof(struct pel_mesh_light) % 8 == 0 &&
-                                     sizeof(struct pel_frame_vertex) == 16 &&
-                                     sizeof(struct pel_frame_work) <=
-                                         PEL_SCENE_SCRATCH_SIZE(0, 0, 0)
-                                 ? 1
-                                 : -1];
+PEL_STATIC_ASSERT(pel_scene_sizes, sizeof(struct pel_mesh_light) % 8 == 0 &&
+                                       sizeof(struct pel_frame_vertex) == 16 &&
+                                       sizeof(struct pel_frame_work) <=
+                                           PEL_SCENE_SCRATCH_SIZE(0, 0, 0));
 
 enum { WORK_SIZE = PEL_SCENE_SCRATCH_SIZE(0, 0, 0) };
 

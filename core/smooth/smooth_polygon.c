@@ -11,13 +11,11 @@ enum { DRAWING = sizeof(struct pel_smooth_drawing) };
 enum { DRAWING = 0 };
 #endif
 
-typedef char pel_smooth_polygon_fits
-    [sizeof(struct pel_smooth_sweep) + DRAWING <= HEAD &&
-             PEL_SMOOTH_POLYGON_SCRATCH_SIZE(1, 0) -
-                     PEL_SMOOTH_POLYGON_SCRATCH_SIZE(0, 0) >=
-                 sizeof(struct pel_smooth_edge) + sizeof(int32_t)
-         ? 1
-         : -1];
+PEL_STATIC_ASSERT(pel_smooth_polygon_fits,
+                  sizeof(struct pel_smooth_sweep) + DRAWING <= HEAD &&
+                      PEL_SMOOTH_POLYGON_SCRATCH_SIZE(1, 0) -
+                              PEL_SMOOTH_POLYGON_SCRATCH_SIZE(0, 0) >=
+                          sizeof(struct pel_smooth_edge) + sizeof(int32_t));
 
 size_t pel_smooth_polygon_scratch_size(int32_t n, int32_t width)
 {

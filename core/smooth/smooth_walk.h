@@ -7,8 +7,8 @@
 
 /* Pixels of a row whose areas are summed at a time, each a byte of a batch. */
 enum { PEL_SMOOTH_SUMS = PEL_64BIT && !PEL_SMOOTH_TINY ? 32 : 6 };
-typedef char pel_smooth_sums_fit
-    [(int)PEL_SMOOTH_SUMS <= (int)PEL_SMOOTH_BATCH_BYTES ? 1 : -1];
+PEL_STATIC_ASSERT(pel_smooth_sums_fit,
+                  (int)PEL_SMOOTH_SUMS <= (int)PEL_SMOOTH_BATCH_BYTES);
 
 /* An edge, by its vertices; the same: the chain has ended. */
 struct pel_smooth_vertices {
