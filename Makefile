@@ -1,6 +1,8 @@
 # Pel. `make help` lists the targets.
 
 .DEFAULT_GOAL := all
+# What a command has half written is deleted where it fails.
+.DELETE_ON_ERROR:
 
 .PHONY: setup clean
 setup: ## install the Debian packages of packages.txt (sudo when not root)

@@ -14,14 +14,13 @@ bench_list = $(foreach method,$(1),X($(method)))
 
 # DejaVu Sans Mono as pictures and as outlines: name, options of pel import
 BENCH_FONT := /usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf
-bench_font = $(BUILD)/pel import $(BENCH_FONT) --codes 32-126 --name font_$1 $2 -o - >>$@;
+bench_font = $(BUILD)/pel import $(BENCH_FONT) --codes 32-126 --name font_$1 $2 -o -;
 $(BENCH)/fonts.h: $(BUILD)/pel $(BENCH_FONT)
 	@mkdir -p $(@D)
-	@rm -f $@
-	@set -e; $(call bench_font,outlines,--outline) \
+	@set -e; { $(call bench_font,outlines,--outline) \
 	    $(call bench_font,4_16,--hinting none --font-size 19) \
 	    $(call bench_font,4_24,--hinting none --font-size 29) \
-	    $(call bench_font,8_16,--hinting none --bits 8 --font-size 19)
+	    $(call bench_font,8_16,--hinting none --bits 8 --font-size 19) } >$@
 
 # name, compiler, flags
 define bench_build

@@ -7,7 +7,6 @@
 #include "core/asset/icon_asset.h"
 #include "core/image/icon.h"
 #include "core/path/smooth_path.h"
-#include "core/path/transform.h"
 #include "tests/support/canvas.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
@@ -193,18 +192,26 @@ static double level_at(double t, int shift)
            channel(s[1].color, shift) * part;
 }
 
+/* A coordinate of (x, y) by a row of a transform, rounded. */
+static double place(int32_t a, int32_t b, int32_t at, const struct pel_point *v)
+{
+    return floor(((double)a * v->x + (double)b * v->y + 32768) / 65536) + at;
+}
+
 /* The place of a pixel on the way, and how many axes it is from the frame's
  * origin, at most; of a frame whose points are rounded. */
 static double place_at(int32_t x, int32_t y, int *far)
 {
     const struct pel_icon_gradient *const g = &any.gradient;
-    struct pel_point p[3];
-    for (int i = 0; i < 3; i++)
-        assert_true(pel_transform_point(&any.shape.transform, g->frame[i].x,
-                                        g->frame[i].y, &p[i]));
-    const double ax = p[1].x - p[0].x, ay = p[1].y - p[0].y;
-    const double bx = p[2].x - p[0].x, by = p[2].y - p[0].y;
-    const double qx = x * 256 + 128 - p[0].x, qy = y * 256 + 128 - p[0].y;
+    const struct pel_transform *const t = &any.shape.transform;
+    double px[3], py[3];
+    for (int i = 0; i < 3; i++) {
+        px[i] = place(t->xx, t->xy, t->at.x, &g->frame[i]);
+        py[i] = place(t->yx, t->yy, t->at.y, &g->frame[i]);
+    }
+    const double ax = px[1] - px[0], ay = py[1] - py[0];
+    const double bx = px[2] - px[0], by = py[2] - py[0];
+    const double qx = x * 256 + 128 - px[0], qy = y * 256 + 128 - py[0];
     const double area = ax * by - ay * bx;
     const double u = (qx * by - qy * bx) / area;
     const double v = (ax * qy - ay * qx) / area;

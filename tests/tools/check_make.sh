@@ -16,6 +16,13 @@ for goals in "clean $work/b/$object" "$work/b/$object clean"; do
         fail "make -j4 $goals: the object is gone, or what was there is not"
 done
 
+# what a command has half written does not pass for the whole
+printf '#!/bin/sh\necho "static int half;"\nexit 1\n' >"$work/b/pel"
+chmod +x "$work/b/pel"
+make -s -o "$work/b/pel" BUILD="$work/b" BENCH_FONT=README.md \
+    "$work/b/bench/fonts.h" >/dev/null 2>&1 && fail "README.md is a font"
+[ ! -e "$work/b/bench/fonts.h" ] || fail "half of fonts.h is left"
+
 # a goal alone makes what it needs
 make -n BUILD="$work/none" check-linux 2>&1 </dev/null |
     grep -q 'rcs .*/libpel_linux\.a' ||
