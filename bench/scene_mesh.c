@@ -8,14 +8,6 @@
 #include "method.h"
 #include "sim/mesh/model.h"
 
-static void *memory(size_t size)
-{
-    void *m = malloc(size);
-    if (!m)
-        method_fail("out of memory", "free some and start again");
-    return m;
-}
-
 static double coordinate(const double *v, int axis, const double *low,
                          const double *high)
 {
@@ -57,9 +49,10 @@ static void fit(struct mesh *from)
 
 static void quantise(struct bench_mesh *m, const struct mesh *from)
 {
-    int16_t(*positions)[3] = memory(sizeof *positions * from->vertices);
-    int8_t(*normals)[3] = memory(sizeof *normals * from->vertices);
-    uint8_t(*colors)[3] = memory(sizeof *colors * from->vertices);
+    int16_t(*positions)[3] =
+        method_allocate((int)from->vertices, sizeof *positions);
+    int8_t(*normals)[3] = method_allocate((int)from->vertices, sizeof *normals);
+    uint8_t(*colors)[3] = method_allocate((int)from->vertices, sizeof *colors);
     m->mesh.position = quantize_positions(from, PEL_MESH_SHIFT_MAX);
     for (uint32_t i = 0; i < from->vertices; i++)
         for (int k = 0; k < 3; k++) {
@@ -76,7 +69,8 @@ static void quantise(struct bench_mesh *m, const struct mesh *from)
 
 static void convert(struct bench_mesh *m, struct mesh *from)
 {
-    uint32_t(*indices)[3] = memory(sizeof *indices * from->triangles);
+    uint32_t(*indices)[3] =
+        method_allocate((int)from->triangles, sizeof *indices);
     fit(from);
     mesh_box(from, m->low, m->high);
     m->mesh = (struct pel_mesh){.vertices = from->vertices,
@@ -86,7 +80,7 @@ static void convert(struct bench_mesh *m, struct mesh *from)
             indices[i][k] = from->triangle[i][k];
     m->mesh.indices32 = (void *)indices;
     quantise(m, from);
-    set_uv(m, from, memory(4 * (size_t)from->vertices));
+    set_uv(m, from, method_allocate((int)from->vertices, 4));
 }
 
 bool bench_mesh_load(struct bench_mesh *m, const struct bench_mesh_file *from)

@@ -40,14 +40,6 @@ static const struct pel_paint *counting_paint(
 
 static const struct pel_shading counting = {NULL, NULL, counting_paint, 0};
 
-static void *memory(size_t size)
-{
-    void *m = malloc(size);
-    if (!m)
-        method_fail("out of memory", "free some and start again");
-    return m;
-}
-
 /* What a picture is drawn with. */
 struct stage {
     struct pel_scene scene;
@@ -61,7 +53,7 @@ struct stage {
 
 static pel_color *noise(void)
 {
-    pel_color *texels = memory(sizeof *texels * TEXELS * TEXELS);
+    pel_color *texels = method_allocate(TEXELS * TEXELS, sizeof *texels);
     uint32_t word = 1;
     for (int i = 0; i < TEXELS * TEXELS; i++) {
         word = word * 1664525u + 1013904223u;
@@ -107,10 +99,10 @@ static void open_stage(struct stage *s, const struct bench_mesh *m,
     s->texels = noise();
     set_scene(s, m, mode, side);
     s->pixels = method_allocate(side * side, 4);
-    s->depths = memory(depths + 1);
+    s->depths = method_allocate(1, depths + 1);
     s->depth_bits = mode->depth_bits;
     s->scratch_size = pel_scene_scratch_size(&s->scene);
-    s->scratch = memory(s->scratch_size);
+    s->scratch = method_allocate(1, s->scratch_size);
     if (pel_surface_init(&s->surface, &pel_xrgb8888, s->pixels,
                          (size_t)side * (size_t)side * 4,
                          &(struct pel_rect){0, 0, side, side}) ||
@@ -178,11 +170,12 @@ static double draw_threads(struct stage *s, const struct scene_cut *cut)
     static struct worker worker[THREADS_MAX];
     double longest = 0;
     for (int k = 0; k < cut->threads; k++) {
-        worker[k] = (struct worker){.stage = s,
-                                    .scratch = memory(s->scratch_size),
-                                    .first = k,
-                                    .threads = cut->threads,
-                                    .bands = cut->bands};
+        worker[k] =
+            (struct worker){.stage = s,
+                            .scratch = method_allocate(1, s->scratch_size),
+                            .first = k,
+                            .threads = cut->threads,
+                            .bands = cut->bands};
         if (pthread_create(&worker[k].thread, NULL, work, &worker[k]))
             method_fail("no more threads", "ask for fewer");
     }

@@ -8,6 +8,7 @@
 #include <pel/pel.h>
 
 #include "../method.h"
+#include "../timing.h"
 
 /* The smallest triangle that a method draws wrong. */
 struct wrong {
@@ -48,6 +49,19 @@ static inline struct figure figure_of(const char *method, double x,
     struct figure f = {.method = method, .x = x, .metric = metric};
     f.value = value;
     f.unit = unit;
+    return f;
+}
+
+/* Of several measurements. */
+static inline struct figure figure_spread(const char *method, double x,
+                                          const char *metric,
+                                          struct quartiles value,
+                                          const char *unit)
+{
+    struct figure f = figure_of(method, x, metric, value.median, unit);
+    f.low = value.q1;
+    f.high = value.q3;
+    f.has_spread = true;
     return f;
 }
 

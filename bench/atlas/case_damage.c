@@ -139,13 +139,8 @@ static void put_time(struct atlas *a, const struct fill_method *m,
         for (int k = 0; k < passes; k++)
             ns[i] += time_pass(m, &s.surface, v) / passes;
     }
-    const struct quartiles q = timing_quartiles(ns, REPEATS);
-    struct figure f =
-        figure_of(m->name, p->edge, "ns_per_triangle", q.median, "ns");
-    f.low = q.q1;
-    f.high = q.q3;
-    f.has_spread = true;
-    atlas_put(a, f);
+    atlas_put(a, figure_spread(m->name, p->edge, "ns_per_triangle",
+                               timing_quartiles(ns, REPEATS), "ns"));
     sheet_close(&s);
 }
 

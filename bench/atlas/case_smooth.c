@@ -194,13 +194,8 @@ static void put_time(struct atlas *a, const struct target *t, double size,
     double ns[REPEATS];
     for (int i = 0; i < REPEATS; i++)
         ns[i] = time_of(t, m);
-    const struct quartiles q = timing_quartiles(ns, REPEATS);
-    struct figure f = figure_of(m ? m->name : "pel", size, "ns_per_edge_pixel",
-                                q.median, "ns");
-    f.low = q.q1;
-    f.high = q.q3;
-    f.has_spread = true;
-    atlas_put(a, f);
+    atlas_put(a, figure_spread(m ? m->name : "pel", size, "ns_per_edge_pixel",
+                               timing_quartiles(ns, REPEATS), "ns"));
 }
 
 void atlas_smooth_time(struct atlas *a)

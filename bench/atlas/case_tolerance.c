@@ -141,12 +141,8 @@ static void put_cost(struct atlas *a, struct stage *s, double tolerance)
         s->scene.shading = &pel_shade_chosen;
         share[i] = 100 * draw(s) / exact;
     }
-    const struct quartiles q = timing_quartiles(share, REPEATS);
-    struct figure f = figure_of("chosen", tolerance, "cost", q.median, "%");
-    f.low = q.q1;
-    f.high = q.q3;
-    f.has_spread = true;
-    atlas_put(a, f);
+    atlas_put(a, figure_spread("chosen", tolerance, "cost",
+                               timing_quartiles(share, REPEATS), "%"));
 }
 
 static const double tolerances[] = {0, .5, 1, 2, 3, 4, 6, 8, 12, 16, 24, 32};

@@ -39,21 +39,22 @@ static void needle_turned(const struct pel_paint *paint, int32_t length)
     pel_smooth_triangle(&surface, v, paint);
 }
 
+static PEL_ALWAYS_INLINE struct pel_thick_line_shape line_of(int32_t length)
+{
+    return (struct pel_thick_line_shape){{PEL_PX(50) + 30, PEL_PX(50) + 70},
+                                         pel_at(50 + length, 50 + length / 2),
+                                         PEL_PX(2)};
+}
+
 static void line(const struct pel_paint *paint, int32_t length)
 {
-    const struct pel_thick_line_shape shape = {
-        {PEL_PX(50) + 30, PEL_PX(50) + 70},
-        pel_at(50 + length, 50 + length / 2),
-        PEL_PX(2)};
+    const struct pel_thick_line_shape shape = line_of(length);
     pel_smooth_thick_line(&surface, &shape, paint);
 }
 
 static void line_round(const struct pel_paint *paint, int32_t length)
 {
-    const struct pel_thick_line_shape shape = {
-        {PEL_PX(50) + 30, PEL_PX(50) + 70},
-        pel_at(50 + length, 50 + length / 2),
-        PEL_PX(2)};
+    const struct pel_thick_line_shape shape = line_of(length);
     pel_smooth_thick_line_round(&surface, &shape, paint);
 }
 

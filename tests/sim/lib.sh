@@ -44,3 +44,21 @@ refused_command() {
     grep -qF -- "$text" "$work/err" || fail "no '$text' in: $(cat "$work/err")"
     [ ! -s "$work/out" ] || fail "output: $*"
 }
+
+# make_square FOLDER: a square from (0, 0) to (1, 1), its uv and its indices, as
+# accessors 0 to 2 of a glTF file there that has $square_lists.
+make_square() {
+    o='\0\0\200\77' z='\0\0\0\0'
+    printf "$z$z$z$o$z$z$o$o$z$z$o$z$z$o$o$o$o$z$z$z\0\0\1\0\2\0\0\0\2\0\3\0" \
+        >"$1/square.bin"
+}
+square_lists='"buffers": [{"uri": "square.bin", "byteLength": 92}],
+ "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 48},
+                 {"buffer": 0, "byteOffset": 48, "byteLength": 32},
+                 {"buffer": 0, "byteOffset": 80, "byteLength": 12}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4,
+                "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
+               {"bufferView": 1, "componentType": 5126, "count": 4,
+                "type": "VEC2"},
+               {"bufferView": 2, "componentType": 5123, "count": 6,
+                "type": "SCALAR"}]'

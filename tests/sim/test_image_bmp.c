@@ -188,8 +188,3 @@ TEST(bmp_palette_before_rows)
     make_moved(&four, 53, 4, &b);
     refused("whose rows begin at byte 53: expected 54 or more", b.at, b.n);
 }
-
-int main(void)
-{
-    return run_all_tests();
-}

@@ -138,11 +138,6 @@ TEST(jpeg_ink)
     }
 }
 
-int main(void)
-{
-    return run_all_tests();
-}
-
 #else
 int main(void)
 {

@@ -59,8 +59,3 @@ TEST(ppm_refused)
     refused("expected its DEPTH and MAXVAL", BYTES("P7\nWIDTH 1\nENDHDR\n"));
     refused("but there is more", BYTES("P5 1 1 4\n\1\nP5"));
 }
-
-int main(void)
-{
-    return run_all_tests();
-}

@@ -186,9 +186,7 @@ printf 'canvas 8 8 xrgb8888\nimage 0 0 -\n' >dash.pel
 cp red.ppm ./-
 timeout 5 "$PEL" run dash.pel -o out.ppm </dev/null || fail "a file named -"
 rm ./-
-o='\0\0\200\77' z='\0\0\0\0'
-printf "$z$z$z$o$z$z$o$o$z$z$o$z$z$o$o$o$o$z$z$z\0\0\1\0\2\0\0\0\2\0\3\0" \
-    >square.bin
+make_square .
 square() { # URI: a glTF file of two squares, red and white, with that texture
     cat <<END
 {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
@@ -201,16 +199,7 @@ square() { # URI: a glTF file of two squares, red and white, with that texture
                               "baseColorTexture": {"index": 0}}},
     {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
  "textures": [{"source": 0}], "images": [{"uri": "$1"}],
- "buffers": [{"uri": "square.bin", "byteLength": 92}],
- "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 48},
-                 {"buffer": 0, "byteOffset": 48, "byteLength": 32},
-                 {"buffer": 0, "byteOffset": 80, "byteLength": 12}],
- "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4,
-                "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
-               {"bufferView": 1, "componentType": 5126, "count": 4,
-                "type": "VEC2"},
-               {"bufferView": 2, "componentType": 5123, "count": 6,
-                "type": "SCALAR"}]}
+ $square_lists}
 END
 }
 square - >dash.gltf

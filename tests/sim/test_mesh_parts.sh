@@ -4,11 +4,9 @@ set -u
 . "$(dirname "$0")/lib.sh"
 dir=$work
 
-# A square from (0, 0) to (1, 1), its uv, its indices; four texels, from the top:
-# red of alpha 0, green of 100, blue of 200, white of 255.
-o='\0\0\200\77' z='\0\0\0\0'
-printf "$z$z$z$o$z$z$o$o$z$z$o$z$z$o$o$o$o$z$z$z\0\0\1\0\2\0\0\0\2\0\3\0" \
-    >"$dir/square.bin"
+# A square; four texels, from the top: red of alpha 0, green of 100, blue of 200,
+# white of 255.
+make_square "$dir"
 tga='\0\0\2\0\0\0\0\0\0\0\0\0\2\0\2\0\40\50'
 printf "$tga\0\0\377\0\0\377\0\144\377\0\0\310\377\377\377\377" >"$dir/four.tga"
 
@@ -25,16 +23,7 @@ square() {
                {"name": "front", $1}],
  "textures": [{"source": 0, "sampler": 0}], "images": [{"uri": "four.tga"}],
  "samplers": [{"wrapS": 33071, "wrapT": 33648}],
- "buffers": [{"uri": "square.bin", "byteLength": 92}],
- "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 48},
-                 {"buffer": 0, "byteOffset": 48, "byteLength": 32},
-                 {"buffer": 0, "byteOffset": 80, "byteLength": 12}],
- "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4,
-                "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
-               {"bufferView": 1, "componentType": 5126, "count": 4,
-                "type": "VEC2"},
-               {"bufferView": 2, "componentType": 5123, "count": 6,
-                "type": "SCALAR"}]}
+ $square_lists}
 END
 }
 
