@@ -14,7 +14,8 @@ PAGE_SOURCES := $(CORE) page/page.c page/parts.c port/sdl/inspect.c \
         $(wildcard sim/script/*.c)) \
     $(filter-out %/render.c %/painter.c %/scene_options.c %/scene_pel2d.c, \
         $(wildcard sim/render/*.c)) \
-    $(wildcard sim/image/*.c sim/font/*.c sim/icon/*.c sim/mesh/*.c) \
+    $(filter-out $(call sim_of,$(SIM_LIBRARIES)), \
+        $(wildcard sim/image/*.c sim/font/*.c sim/icon/*.c sim/mesh/*.c)) \
     $(patsubst %,sim/cli/%.c,choice child_data message number text_line) \
     drivers/dirty.c drivers/input.c
 PAGE_PARTS := $(PAGE_SOURCES:%.c=$(PAGE_OBJECTS)/%.o) \

@@ -4,8 +4,9 @@
 
 PKG_CONFIG ?= pkg-config
 sim_has = $(shell $(PKG_CONFIG) --exists $(1) 2>/dev/null && echo $(1))
-SIM_PACKAGES := $(strip $(foreach p,assimp jansson libzip expat sdl2 SDL2_image libpng \
-                          libjpeg freetype2 harfbuzz,$(call sim_has,$(p))))
+SIM_LIBRARIES := assimp jansson libzip expat sdl2 SDL2_image libpng libjpeg freetype2 \
+    harfbuzz
+SIM_PACKAGES := $(strip $(foreach p,$(SIM_LIBRARIES),$(call sim_has,$p)))
 
 sim_define_assimp := -DHAVE_ASSIMP
 sim_define_sdl2 := -DHAVE_SDL2
@@ -33,7 +34,16 @@ endif
 include drivers/linux.mk
 include port/sdl/sdl.mk
 
-SIM := $(sort $(wildcard sim/*.c sim/*/*.c)) port/sdl/inspect.c \
+# What nothing calls without a library; another file says that it is missing.
+SIM_OF_assimp := sim/mesh/material.c sim/mesh/mend_import.c
+SIM_OF_jansson := $(wildcard sim/mesh/gltf_*.c)
+SIM_OF_libzip := sim/mesh/mend_3mf_put.c
+SIM_OF_expat := $(SIM_OF_libzip) sim/icon/svg_shape.c sim/icon/svg_style.c
+SIM_OF_freetype2 := sim/font/kerning.c sim/font/outline.c sim/font/outline_points.c
+sim_of = $(foreach p,$1,$(SIM_OF_$p))
+
+SIM := $(filter-out $(call sim_of,$(filter-out $(SIM_PACKAGES),$(SIM_LIBRARIES))),\
+    $(sort $(wildcard sim/*.c sim/*/*.c))) port/sdl/inspect.c \
     $(SDL_FOUND:%=port/sdl/window_sdl.c)
 SIM_OBJECTS := $(SIM:%.c=$(BUILD)/%.o)
 

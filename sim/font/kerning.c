@@ -1,4 +1,3 @@
-#ifdef HAVE_FREETYPE
 #include "sim/font/kerning.h"
 
 #include <stdlib.h>
@@ -131,7 +130,3 @@ int kerning_of(const struct kerning *k, uint32_t left, uint32_t right)
                        &by);
     return (int)by.x;
 }
-
-#else
-typedef int kerning_needs_freetype;
-#endif

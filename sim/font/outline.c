@@ -1,4 +1,3 @@
-#ifdef HAVE_FREETYPE
 #include "sim/font/outline.h"
 
 #include <stdlib.h>
@@ -147,6 +146,3 @@ uint8_t *outline_draw(FT_Outline *outline, struct font_char *c)
     message_error("out of memory");
     return NULL;
 }
-#else
-typedef int outline_is_empty;
-#endif

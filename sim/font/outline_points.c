@@ -1,4 +1,3 @@
-#ifdef HAVE_FREETYPE
 #include "core/asset/outline_font_asset.h"
 #include "sim/font/outline.h"
 
@@ -96,6 +95,3 @@ void outline_put(FT_Outline *outline, struct font_points *points)
     FT_Outline_Decompose(outline, &functions, &p);
     close_part(&p);
 }
-#else
-typedef int outline_points_are_empty;
-#endif

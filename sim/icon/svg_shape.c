@@ -1,5 +1,4 @@
 /* Shapes as paths. */
-#ifdef HAVE_EXPAT
 #include <math.h>
 #include <string.h>
 
@@ -108,6 +107,3 @@ bool svg_add_shape(struct reader *r, const char *name, const struct element *e,
         svg_refuse(r, "out of memory");
     return true;
 }
-#else
-typedef int svg_shape_is_empty;
-#endif

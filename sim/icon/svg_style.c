@@ -1,6 +1,5 @@
 /* The properties of elements, in attributes or in style="...". What would look
  * different without being read is refused by its name. */
-#ifdef HAVE_EXPAT
 #include "sim/icon/svg_reader.h"
 
 #include <math.h>
@@ -216,6 +215,3 @@ bool svg_each_property(struct reader *r, const char **list, void *to,
         each_of_style(r, style, to, set);
     return !r->bad;
 }
-#else
-typedef int svg_style_is_empty;
-#endif

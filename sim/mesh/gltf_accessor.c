@@ -1,7 +1,6 @@
 /* Accessors (chapter 3.6.2). */
 #include "sim/mesh/gltf.h"
 
-#ifdef HAVE_JANSSON
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -189,7 +188,3 @@ bool gltf_indices(struct gltf *g, json_int_t index, struct gltf_array *array)
                        "componentType 5121, 5123 or 5125, not normalized",
                        (long long)index);
 }
-
-#else
-typedef int gltf_accessor_needs_jansson;
-#endif

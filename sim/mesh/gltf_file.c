@@ -1,7 +1,6 @@
 /* The file: JSON, buffers, URIs (chapters 3.3, 3.6.1, 4). */
 #include "sim/mesh/gltf.h"
 
-#ifdef HAVE_JANSSON
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>
@@ -221,7 +220,3 @@ bool gltf_open(struct gltf *g, const char *path)
     return (g->buffer || gltf_refuse(g, "no memory for buffers")) &&
            check_extensions(g);
 }
-
-#else
-typedef int gltf_file_needs_jansson;
-#endif

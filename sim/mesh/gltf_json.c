@@ -1,7 +1,6 @@
 /* Members of the JSON, and messages that say where they are. */
 #include "sim/mesh/gltf.h"
 
-#ifdef HAVE_JANSSON
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -175,7 +174,3 @@ const json_t *gltf_list(struct gltf *g, const json_t *object, const char *key)
         return refuse_member(g, object, key, "an array");
     return member;
 }
-
-#else
-typedef int gltf_json_needs_jansson;
-#endif

@@ -3,7 +3,6 @@
  * KHR_materials_pbrSpecularGlossiness. */
 #include "sim/mesh/gltf.h"
 
-#ifdef HAVE_JANSSON
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -187,7 +186,3 @@ bool gltf_material(struct gltf *g, struct mesh *mesh, json_int_t index,
     read_alpha(g, json, m);
     return (m->is_unlit || read_glow(g, mesh, json, &texture, to)) && g->good;
 }
-
-#else
-typedef int gltf_material_needs_jansson;
-#endif

@@ -2,7 +2,6 @@
  */
 #include "sim/mesh/gltf.h"
 
-#ifdef HAVE_JANSSON
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -387,7 +386,3 @@ bool gltf_add(struct gltf *g, struct mesh *mesh, const struct gltf_primitive *p,
     free_attributes(&a);
     return done && g->good;
 }
-
-#else
-typedef int gltf_primitive_needs_jansson;
-#endif

@@ -1,7 +1,6 @@
 /* Skins (chapter 3.7.3): the joints as they stand. */
 #include "sim/mesh/gltf.h"
 
-#ifdef HAVE_JANSSON
 #include <stdlib.h>
 #include <string.h>
 
@@ -64,7 +63,3 @@ bool gltf_skin(struct gltf *g, const json_t *skin, struct gltf_skin *to)
     free(bind.number);
     return true;
 }
-
-#else
-typedef int gltf_skin_needs_jansson;
-#endif

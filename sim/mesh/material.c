@@ -1,4 +1,3 @@
-#ifdef HAVE_ASSIMP
 #include "sim/mesh/mesh.h"
 
 #include <assimp/scene.h>
@@ -125,7 +124,3 @@ bool material_read(struct mesh_material *to, struct mesh *mesh,
     read_alpha(to, from);
     return read_texture(to, mesh, scene, from, path);
 }
-
-#else
-typedef int material_needs_assimp;
-#endif

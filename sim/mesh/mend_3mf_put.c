@@ -1,5 +1,4 @@
 /* What the build of a 3MF places, as OBJ. */
-#if defined(HAVE_LIBZIP) && defined(HAVE_EXPAT)
 #include "sim/mesh/mend_3mf.h"
 
 #include <string.h>
@@ -149,7 +148,3 @@ bool mend_3mf_put(struct package *p)
             return false;
     return true;
 }
-
-#else
-typedef int mend_3mf_needs_libzip;
-#endif

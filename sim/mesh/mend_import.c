@@ -1,7 +1,6 @@
 /* Hands mended files to assimp, as two files in memory. */
 #include "sim/mesh/mend.h"
 
-#ifdef HAVE_ASSIMP
 #include <assimp/cfileio.h>
 #include <assimp/cimport.h>
 #include <stdlib.h>
@@ -148,7 +147,3 @@ const struct aiScene *mend_import(const char *path, bool *told)
         return import(&m, kinds[i].write, told);
     return aiImportFile(path, 0);
 }
-
-#else
-typedef int mend_needs_assimp;
-#endif
