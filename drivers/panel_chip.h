@@ -12,6 +12,10 @@ PEL_BEGIN_DECLS
 
 enum { PEL_PANEL_PAUSE = 0x80 };
 
+/* Ends of lists of MIPI's commands: brightest, by command; out of sleep, on. */
+#define PEL_PANEL_BRIGHT 2, 0x51, 0xFF, 2, 0x53, 0x24
+#define PEL_PANEL_ON 1 | PEL_PANEL_PAUSE, 0x11, 1, 0x29
+
 struct pel_panel_chip {
     /* Lists of commands, and what sends them. `setup` leaves the panel on. */
     const uint8_t *setup, *wake, *sleep;

@@ -17,10 +17,7 @@ static const uint8_t setup[] = {
     3, 0xB1, 0x00, 0x18, /* 79 frames a second */
     4, 0xB6, 0x08, 0x82, 0x27, /* scan directions, 320 lines */
     2, 0x26, 0x01, /* gamma curve */
-    2, 0x51, 0xFF, /* brightest */
-    2, 0x53, 0x24, /* brightness by command */
-    1 | PEL_PANEL_PAUSE, 0x11, /* leave sleep */
-    1, 0x29, /* on */
+    PEL_PANEL_BRIGHT, PEL_PANEL_ON,
     0
     /* clang-format on */
 };

@@ -11,10 +11,7 @@ static const uint8_t setup[] = {
     4, 0xF6, 0x01, 0x00, 0x00, /* pixels from memory */
     2, 0x3A, 0x55, /* 16 bits a pixel */
     4, 0xB6, 0x08, 0x82, 0x1D, /* scan directions, 240 lines */
-    2, 0x51, 0xFF, /* brightest */
-    2, 0x53, 0x24, /* brightness by command */
-    1 | PEL_PANEL_PAUSE, 0x11, /* leave sleep */
-    1, 0x29, /* on */
+    PEL_PANEL_BRIGHT, PEL_PANEL_ON,
     0
     /* clang-format on */
 };

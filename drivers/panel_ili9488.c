@@ -13,10 +13,7 @@ static const uint8_t setup[] = {
     4, 0xB6, 0x02, 0x02, 0x3B, /* scan directions, 480 lines */
     2, 0xE9, 0x00, /* no bits are made of others */
     5, 0xF7, 0xA9, 0x51, 0x2C, 0x82, /* adjustment of the maker's */
-    2, 0x51, 0xFF, /* brightest */
-    2, 0x53, 0x24, /* brightness by command */
-    1 | PEL_PANEL_PAUSE, 0x11, /* leave sleep */
-    1, 0x29, /* on */
+    PEL_PANEL_BRIGHT, PEL_PANEL_ON,
     0
     /* clang-format on */
 };

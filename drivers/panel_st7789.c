@@ -4,10 +4,7 @@ static const uint8_t setup[] = {
     /* clang-format off */
     1 | PEL_PANEL_PAUSE, 0x01, /* reset, where no line does it */
     2, 0x3A, 0x55, /* 16 bits a pixel */
-    2, 0x51, 0xFF, /* brightest */
-    2, 0x53, 0x24, /* brightness by command */
-    1 | PEL_PANEL_PAUSE, 0x11, /* leave sleep */
-    1, 0x29, /* on */
+    PEL_PANEL_BRIGHT, PEL_PANEL_ON,
     0
     /* clang-format on */
 };

@@ -14,10 +14,7 @@ static const uint8_t setup[] = {
     2, 0xC5, 0x18, /* VCOM */
     2, 0xF0, 0x3C, /* closes them */
     2, 0xF0, 0x69,
-    2, 0x51, 0xFF, /* brightest */
-    2, 0x53, 0x24, /* brightness by command */
-    1 | PEL_PANEL_PAUSE, 0x11, /* leave sleep */
-    1, 0x29, /* on */
+    PEL_PANEL_BRIGHT, PEL_PANEL_ON,
     0
     /* clang-format on */
 };

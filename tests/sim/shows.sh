@@ -2,6 +2,9 @@
 # is 4 units wide, seen from the front and without light.
 #
 #     shows FILE COLOR:X,Y...: rrggbb, or rrggbb~ within 2 of it
+. "$(dirname "$0")/lib.sh"
+field=tests/sim/field
+
 shows() {
     shown=$1
     shift

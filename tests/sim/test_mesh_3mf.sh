@@ -1,9 +1,7 @@
 #!/bin/sh
 # 3MF: colours of triangles and corners, objects where the build places them.
 set -u
-. "$(dirname "$0")/lib.sh"
 . "$(dirname "$0")/shows.sh"
-field=tests/sim/field
 "$PEL" info $field/m_bm.3mf 2>&1 | grep -q 'without' && exit 0
 shows $field/m_bm.3mf ff0000:70,72 ff0000:73,30 0000ff:27,70 0000ff:30,27
 

@@ -1,9 +1,7 @@
 #!/bin/sh
 # Colours of faces in PLY, OFF, STL: each face shows its own.
 set -u
-. "$(dirname "$0")/lib.sh"
 . "$(dirname "$0")/shows.sh"
-field=tests/sim/field
 "$PEL" info $field/ind.obj 2>&1 | grep -q 'without assimp' && exit 0
 
 # Two triangles of a square: right below, left above.

@@ -2,9 +2,7 @@
 # glTF 2.0: numbers of every type, textures, colours and nodes, as the
 # specification has them; what pel does not have is refused by its name.
 set -u
-. "$(dirname "$0")/lib.sh"
 . "$(dirname "$0")/shows.sh"
-field=tests/sim/field
 "$PEL" info $field/pct.gltf 2>&1 | grep -q 'without jansson' && exit 0
 
 quarters='ff0000:30,30 00ff00:70,30 0000ff:30,70 ffff00:70,70'

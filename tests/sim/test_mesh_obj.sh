@@ -1,9 +1,7 @@
 #!/bin/sh
 # OBJ and MTL as people write them: what each file must show.
 set -u
-. "$(dirname "$0")/lib.sh"
 . "$(dirname "$0")/shows.sh"
-field=tests/sim/field
 "$PEL" info $field/ind.obj 2>&1 | grep -q 'without assimp' && exit 0
 
 # Numbers: the triangle is that of vertices 2, 3 and 4.
