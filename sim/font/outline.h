@@ -14,9 +14,9 @@
  * is empty, too. */
 uint8_t *outline_draw(FT_Outline *outline, struct font_char *c);
 
-/* The points of an outline in 1/64 of the font's units. Where two quadratic
- * curves meet half-way between their controls, and where parts close, points
- * are left out. */
+/* The points of an outline in 1/64 of the font's units, whose parts may begin
+ * at another point then. Where two quadratic curves meet half-way between their
+ * controls, and where parts close, points are left out. */
 void outline_put(FT_Outline *outline, struct font_points *points);
 
 #endif

@@ -1,6 +1,8 @@
 #include "core/asset/outline_font_asset.h"
 #include "sim/font/outline.h"
 
+#include <string.h>
+
 /* A point is put when the next one shows that it is not left out. */
 struct putting {
     struct font_points *to;
@@ -87,11 +89,39 @@ static int cubic_to(const FT_Vector *a, const FT_Vector *b, const FT_Vector *to,
     return 0;
 }
 
+/* A part that begins with a control and ends with one, from point `a` to `z`,
+ * begins half-way between them for FreeType: on no unit, perhaps. */
+static bool begins_between(const FT_Outline *o, int a, int z)
+{
+    const FT_Vector *v = o->points;
+    return FT_CURVE_TAG(o->tags[a]) == FT_CURVE_TAG_CONIC &&
+           FT_CURVE_TAG(o->tags[z]) == FT_CURVE_TAG_CONIC &&
+           ((v[a].x + v[z].x) % 128 != 0 || (v[a].y + v[z].y) % 128 != 0);
+}
+
+/* Lets a part begin elsewhere, on a unit, if it can. */
+static void turn_part(FT_Outline *o, int a, int z)
+{
+    for (int i = a; i <= z && begins_between(o, a, z); i++) {
+        const FT_Vector first = o->points[a];
+        const char tag = (char)o->tags[a];
+        memmove(o->points + a, o->points + a + 1,
+                (size_t)(z - a) * sizeof first);
+        memmove(o->tags + a, o->tags + a + 1, (size_t)(z - a));
+        o->points[z] = first;
+        o->tags[z] = tag;
+    }
+}
+
 void outline_put(FT_Outline *outline, struct font_points *points)
 {
     static const FT_Outline_Funcs functions = {move_to,  line_to, conic_to,
                                                cubic_to, 0,       0};
     struct putting p = {.to = points};
+    for (int i = 0, a = 0; i < outline->n_contours; i++) {
+        turn_part(outline, a, outline->contours[i]);
+        a = outline->contours[i] + 1;
+    }
     FT_Outline_Decompose(outline, &functions, &p);
     close_part(&p);
 }
