@@ -185,10 +185,11 @@ static bool is_foreign(const char *path, const struct import_text *text)
 
 static void print_scratch(FILE *out, const struct import_text *text)
 {
-    fprintf(out,
-            "\n/* Bytes of scratch memory, aligned to 8, for pel_icon at up to "
-            "so many px,\n * %d at most, and any angle. */\n#define ",
-            ICON_SCRATCH_SIZE_MAX);
+    fprintf(
+        out,
+        "\n/* Bytes of scratch memory, aligned to 8, for pel_icon at sizes "
+        "from %d px to\n * so many, %d at most, and any angle. */\n#define ",
+        ICON_SCRATCH_SIZE_MIN, ICON_SCRATCH_SIZE_MAX);
     for (const char *c = text->options->name; *c; c++)
         fputc(toupper((unsigned char)*c), out);
     fprintf(out,

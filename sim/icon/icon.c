@@ -65,18 +65,20 @@ const struct pel_icon_kind *icon_kind(const struct pel_icon_asset *icon,
 }
 
 /* Sides that come to be in a row at one place: `sides`, or more. A column of
- * the icon has all that are in its rows. */
+ * the icon has all that are in its rows. From angle to angle the corners move
+ * by 2 px or so, and half a pixel down or up. */
 static bool count_sides(const struct pel_surface *column,
-                        struct pel_icon_shape *shape, int32_t turn,
+                        struct pel_icon_shape *shape, int32_t size,
                         int32_t *sides)
 {
-    const int32_t half = column->bounds.y1 * 128;
+    const int32_t half = column->bounds.y1 * 128, turns = pel_max(2 * size, 32);
     const size_t most = PEL_ICON_SCRATCH_SIZE(65536, 1);
     void *scratch = malloc(most);
-    for (int size = ICON_SCRATCH_SIZE_MAX; size >= 4; size = size * 2 / 3)
+    for (int32_t i = 0; i < turns; i++)
         while (scratch && *sides < 65536 &&
-               pel_icon_place(shape, PEL_PX(size), turn,
-                              (struct pel_point){128, half}) == PEL_OK &&
+               pel_icon_place(shape, PEL_PX(size), i * 65536 / turns,
+                              (struct pel_point){128, half + i % 2 * 128}) ==
+                   PEL_OK &&
                pel_icon(column, shape, scratch,
                         PEL_ICON_SCRATCH_SIZE(*sides, 1)) == PEL_ERROR_SCRATCH)
             *sides += 1 + *sides / 16;
@@ -94,8 +96,9 @@ bool icon_need(struct icon_need *need, const struct pel_icon_asset *icon)
     bool done = canvas_init(&canvas, &pel_gray8, 1, 3 * ICON_SCRATCH_SIZE_MAX);
     need->sides = 1;
     need->width = (int32_t)ceil(across * 1024 / side);
-    for (int32_t turn = 0; done && turn < 32; turn++)
-        done = count_sides(&canvas.surface, &shape, turn * 2048, &need->sides);
+    for (int32_t size = ICON_SCRATCH_SIZE_MAX;
+         done && size >= ICON_SCRATCH_SIZE_MIN; size = size * 2 / 3)
+        done = count_sides(&canvas.surface, &shape, size, &need->sides);
     need->sides += need->sides / 4 + 4;
     canvas_free(&canvas);
     return done;

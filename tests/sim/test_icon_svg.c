@@ -4,8 +4,10 @@
 
 #include <math.h>
 
+#include "core/pel.h"
 #include "sim/icon/icon.h"
 #include "sim/image/texture.h"
+#include "tests/support/cases.h"
 
 #define TANGO "/usr/share/icons/Tango/scalable/"
 #define ADWAITA "/usr/share/icons/Adwaita/scalable/"
@@ -253,5 +255,45 @@ TEST(what_is_not_drawn_is_refused_by_name)
             fail_msg("%s: %s, not %s", refused[i].text, m.text,
                      refused[i].told);
         assert_int_equal(icon.parts, 0);
+    }
+}
+
+/* Draws an icon at random sizes, angles and places in memory for so many sides.
+ * A column of pixels has all of them in its rows. */
+static void draw_anywhere(const struct pel_icon_asset *icon, int32_t sides)
+{
+    static uint8_t pixels[3 * ICON_SCRATCH_SIZE_MAX];
+    static uint64_t scratch[1 << 16];
+    const struct pel_rect column = {0, 0, 1, sizeof pixels};
+    struct pel_icon_shape shape = {.icon = icon, .kind = icon_kind(icon, true)};
+    struct pel_surface surface;
+    pel_surface_init(&surface, &pel_gray8, pixels, sizeof pixels, &column);
+    for (struct cases c = cases_of(700); cases_next(&c);) {
+        struct random *const r = &c.random;
+        const int32_t most = random_word(r) % 2 ? 8 : ICON_SCRATCH_SIZE_MAX;
+        const int32_t size =
+            random_between(r, PEL_PX(ICON_SCRATCH_SIZE_MIN), PEL_PX(most));
+        const struct pel_point at = {128,
+                                     PEL_PX(384) + random_between(r, 0, 255)};
+        pel_icon_place(&shape, size, (int32_t)random_word(r) >> 8, at);
+        if (pel_icon(&surface, &shape, scratch,
+                     PEL_ICON_SCRATCH_SIZE(sides, 1)) != PEL_OK)
+            fail_msg("%d sides at %d / 256 px; %s", sides, size,
+                     cases_replay());
+    }
+}
+
+TEST(scratch_is_enough)
+{
+    static const char *const path[] = {
+        ADWAITA "status/network-cellular-signal-good-rtl-symbolic.svg",
+        TANGO "apps/text-editor.svg", "docs/pictures/icon_gear.svg"};
+    for (int i = 0; i < 3; i++) {
+        struct pel_icon_asset icon;
+        struct icon_need need;
+        assert_true(icon_load(&icon, path[i]));
+        assert_true(icon_need(&need, &icon));
+        draw_anywhere(&icon, need.sides);
+        icon_free(&icon);
     }
 }
