@@ -117,6 +117,17 @@ STROKE(smooth_path_stroke, smooth_path_stroke, &stroked)
 STROKE(smooth_path_dashes, smooth_path_stroke, &dashed)
 STROKE(smooth_polyline, smooth_polyline, &zigzag)
 
+/* A rectangle where a path is hit. */
+#define HIT(name, function, shape)                                    \
+    static inline void draw_hit_##name(const struct pel_paint *paint) \
+    {                                                                 \
+        if (pel_hit_##function(shape, 9, 20))                         \
+            draw_rectangle(paint);                                    \
+    }
+HIT(path, path_fill, &stroked)
+HIT(path_stroke, path_stroke, &stroked)
+HIT(path_dashes, path_stroke, &dashed)
+
 static inline void draw_polygon_outline(const struct pel_paint *paint)
 {
     static uint32_t scratch[128];

@@ -12,7 +12,8 @@ LINK_SHAPES := triangle triangle_or_line polygon rectangle line thick_line \
     rectangle_outline rounded_rectangle_outline circle_outline \
     ellipse_outline arc_outline polygon_outline text smooth_text \
     smooth_outline_text smooth_icon \
-    path path_stroke path_dashes polyline $(addprefix smooth_,path path_stroke \
+    path path_stroke path_dashes polyline hit_path hit_path_stroke hit_path_dashes \
+    $(addprefix smooth_,path path_stroke \
     path_dashes polyline triangle polygon rectangle thick_line \
     thick_line_round circle ring sector arc arc_round ellipse \
     rounded_rectangle)
