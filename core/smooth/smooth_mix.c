@@ -4,6 +4,11 @@
 
 #if !PEL_SMOOTH_TINY
 
+static PEL_ALWAYS_INLINE uint32_t weight_of(uint32_t alpha, uint32_t coverage)
+{
+    return alpha == 255 ? coverage : pel_round_div255(alpha * coverage);
+}
+
 /* What is mixed into pixels. */
 struct ink {
     uint32_t red_blue, green, alpha;
@@ -40,9 +45,7 @@ static PEL_ALWAYS_INLINE const uint8_t *mix_run(uintptr_t at,
 {
     pel_word16 *p = (pel_word16 *)at;
     for (const uint8_t *const end = coverage + n; coverage < end; p++) {
-        uint32_t weight = *coverage++;
-        if (ink.alpha != 255)
-            weight = pel_round_div255(weight * ink.alpha);
+        const uint32_t weight = weight_of(ink.alpha, *coverage++);
         *p = (pel_word16)in_order(
             mixed_565(in_order(*p, big), weight, ink.red_blue, ink.green), big);
     }
@@ -119,9 +122,7 @@ static PEL_NOINLINE void mix_words(const struct pel_surface *s,
         pel_word32 *p =
             (pel_word32 *)(line + 4 * (uintptr_t)(runs->x[i] - back));
         for (const uint8_t *const end = coverage + n; coverage < end; p++) {
-            uint32_t weight = *coverage++;
-            if (alpha != 255)
-                weight = pel_round_div255(weight * alpha);
+            const uint32_t weight = weight_of(alpha, *coverage++);
             if (weight > 0)
                 *p = mixed_32(*p, weight, pixel) | unused;
         }
@@ -157,13 +158,6 @@ void pel_smooth_mix(const struct pel_surface *s,
         mix_rows(s, runs, ink, false);
 }
 
-static PEL_ALWAYS_INLINE uint32_t weight_of(pel_color color, uint32_t coverage)
-{
-    return color >= UINT32_C(0xFF000000)
-               ? coverage
-               : pel_round_div255(pel_alpha(color) * coverage);
-}
-
 static PEL_ALWAYS_INLINE void mix_colors(uintptr_t at, int32_t n,
                                          const pel_color *colors,
                                          const uint8_t *coverage, bool big)
@@ -171,7 +165,7 @@ static PEL_ALWAYS_INLINE void mix_colors(uintptr_t at, int32_t n,
     pel_word16 *p = (pel_word16 *)at;
     for (pel_word16 *const end = p + n; p < end; p++) {
         const pel_color color = *colors++;
-        const uint32_t weight = weight_of(color, *coverage++);
+        const uint32_t weight = weight_of(pel_alpha(color), *coverage++);
         *p = (pel_word16)in_order(mixed_565(in_order(*p, big), weight,
                                             color & UINT32_C(0xFF00FF),
                                             pel_green(color)),
@@ -197,7 +191,7 @@ static void mix_32(uintptr_t at, int32_t n, const pel_color *colors,
     pel_word32 *p = (pel_word32 *)at;
     for (pel_word32 *const end = p + n; p < end; p++) {
         const pel_color color = *colors++;
-        const uint32_t weight = weight_of(color, *coverage++);
+        const uint32_t weight = weight_of(pel_alpha(color), *coverage++);
         if (weight > 0)
             *p = PEL_LE32(mixed_32(PEL_LE32(*p), weight, color) |
                           UINT32_C(0xFF000000));

@@ -21,15 +21,14 @@ static const uint8_t first_guess[96] = {
 /* 2^10 sqrt(n) of n >= 2^30, off by less than 4. With x = n / 2^16, a step of
  * Newton's iteration gives r = 2^23 / sqrt(x) to 2^-13 of it. So x r is a root
  * that is off by less than 10, and the rest over twice the root gives 10 bits
- * more: |rest| < 2^21, r <= 2^16. */
+ * more: q < 2^16, |rest| < 2^21, r <= 2^16. */
 static inline uint32_t root_of(uint32_t n)
 {
     const uint32_t x = n >> 16;
     uint32_t r = ((uint32_t)first_guess[(n >> 25) - 32] + 128) << 8;
     const int32_t e = (int32_t)((UINT32_C(1) << 30) - (x * r >> 16) * r);
     r += (uint32_t)((e >> 15) * (int32_t)r >> 16);
-    uint32_t q = x * r >> 15;
-    q = q > 65535 ? 65535 : q;
+    const uint32_t q = x * r >> 15;
     const int32_t rest = (int32_t)(n - q * q);
     return (q << 10) + (uint32_t)((rest >> 4) * (int32_t)(r >> 2) >> 16);
 }

@@ -60,7 +60,7 @@ list_links()
 {
     $cc $(cat "$tests/$1/flags") "$tests/$1/tests/$2.o" \
         "$tests/$1/libsupport.a" \
-        "$tests/$1/libpel.a" -lcmocka -Wl,-M -o "$work/linked" |
+        "$tests/$1/libpel.a" -lcmocka -lm -Wl,-M -o "$work/linked" |
         sed -n 's|.*libpel\.a(\([a-z0-9_]*\)\.o).*|\1|p' | sort -u |
         while read -r name; do
             echo core/*/"$name.c" | sed 's/\.c$/.o/'

@@ -55,7 +55,7 @@ compile_changed()
 notices()
 {
     $cc $flags "$object" $changed "$base/libsupport.a" "$base/libpel.a" \
-        -lcmocka -o "$tree/program" || finish refused
+        -lcmocka -lm -o "$tree/program" || finish refused
     scale=${plain##*:}
     [ "$scale" != "$plain" ] || scale=100
     limit=$((3 * $(cat "$work/$build/$plain.limit")))

@@ -1,0 +1,118 @@
+/* How far an arc is from one axis at a distance from the other, against roots
+ * of long doubles; and circles where these are whole numbers. */
+#include <math.h>
+#include <stdio.h>
+
+#include "core/smooth/smooth_circle.h"
+#include "core/smooth/strip.h"
+#include "tests/support/cases.h"
+#include "tests/support/check.h"
+#include "tests/support/round_area.h"
+
+static void print_place(const void *place)
+{
+    const int32_t *const v = place;
+    fprintf(stderr, "radius %d distance %d\n", v[0], v[1]);
+}
+
+/* A root is short by less than 3 where it has 26 binary digits, and by less
+ * than 1 more where the last ones of these are cut off. It is too large by as
+ * little as its square is rounded. */
+static void check_place(const int32_t v[2])
+{
+    const long double r = v[0], d = v[1];
+    const long double exact = d < r ? 256 * sqrtl(r * r - d * d) : 0;
+    struct pel_smooth_circle circle;
+    int digits;
+    pel_smooth_circle_set(&circle, v[0]);
+    frexpl(exact, &digits);
+    const long double short_by = exact - pel_smooth_arc_at(&circle, v[1], true);
+    const long double unit = ldexpl(1, digits - 26);
+    if (short_by < -unit / 16 ||
+        short_by >= (unit < 1 ? 3 * unit + 1 : 3 * unit))
+        fail_msg("short by %.3Lf of %.3Lf; %s", short_by, exact,
+                 cases_replay());
+}
+
+/* A distance from anywhere; or one at which the arc is anywhere, or about where
+ * the first guess of a root becomes another, which is worst there: the square
+ * is a multiple of 2^29 then, and the root of a circle of 1,024 px has all
+ * digits. */
+static void random_place(struct random *r, int32_t v[2])
+{
+    const bool large = random_word(r) % 4;
+    v[0] =
+        large ? PEL_PX(1024)
+              : random_between(r, 0, PEL_PX(32767) >> random_between(r, 0, 23));
+    v[1] = random_between(r, 0, v[0]);
+    if (random_word(r) % 2)
+        return;
+    const long double radius = v[0];
+    const long double at = v[1], step = random_between(r, 32, 127);
+    const long double square =
+        large && random_word(r) % 2 ? ldexpl(step, 29) : at * at;
+    v[1] = (int32_t)sqrtl(radius * radius - square);
+    v[1] = pel_max(v[1] + random_between(r, -64, 64), 0);
+}
+
+TEST(roots)
+{
+    for (struct cases c = cases_of(200000); cases_next(&c);) {
+        int32_t v[2];
+        random_place(&c.random, v);
+        cases_keep(print_place, v, sizeof v);
+        check_place(v);
+    }
+}
+
+/* From where on a square has more than 32 bits. */
+TEST(roots_of_256_px)
+{
+    for (int32_t i = 0; i < 6; i++)
+        check_place((const int32_t[2]){65535 + i % 3, i / 3});
+}
+
+/* What a function finds in its memory: a byte that it forgets shows. */
+static PEL_NOINLINE void spoil_stack(void)
+{
+    volatile uint8_t bytes[8192];
+    for (size_t i = 0; i < sizeof bytes; i++)
+        bytes[i] = 0x55;
+}
+
+/* Pixels about (x, y) of a circle around a whole pixel, or half a one below. */
+static void check_circle(int32_t radius, int32_t x, int32_t y, int32_t below)
+{
+    enum { SIDE = 8 };
+    static const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
+    const struct round s = {.center = {0, below}, .radius = PEL_PX(radius)};
+    const struct pel_rect b = {x - SIDE / 2, y - SIDE / 2, x + SIDE / 2,
+                               y + SIDE / 2};
+    uint8_t pixels[SIDE * SIDE] = {0};
+    struct pel_surface surface;
+    pel_surface_init(&surface, &pel_gray8, pixels, sizeof pixels, &b);
+    spoil_stack();
+    pel_smooth_circle(&surface, s.center, s.radius, &white.paint);
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        const real area =
+            255 * round_area_at(&s, b.x0 + i % SIDE, b.y0 + i / SIDE);
+        if (real_abs(pixels[i] - area) > 0.55L)
+            fail_msg("radius %d, about (%d, %d), %d below: pixel %d is %d",
+                     radius, x, y, below, i, pixels[i]);
+    }
+}
+
+/* Where the border goes through the corner of four pixels: the columns that it
+ * crosses in a row end there. Half a pixel below it is a root of 4^n. */
+TEST(whole_numbers)
+{
+    for (int32_t r = 17; r < 256; r++)
+        for (int32_t x = 1, y = r; x < r; x++) {
+            while (x * x + y * y > r * r)
+                y--;
+            if (x * x + y * y == r * r)
+                for (int i = 0; i < 8; i++)
+                    check_circle(r, i & 1 ? x : -x, i & 2 ? y : -y,
+                                 i & 4 ? 128 : 0);
+        }
+}
