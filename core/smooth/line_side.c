@@ -51,13 +51,12 @@ static int64_t line_at(struct pel_smooth_line *l, int32_t y)
     return l->at >> 16;
 }
 
-/* What lies between two places at the top and the bottom of a part of a row. */
+/* What lies between two places at the top and the bottom of a part of a row:
+ * the first one on the left, and the way from the upper to the lower one. */
 static inline void set_crossing(struct pel_smooth_crossing *c,
-                                const struct pel_smooth_line *l, int64_t a,
-                                int64_t b)
+                                const struct pel_smooth_line *l, int64_t first,
+                                int32_t way)
 {
-    const int64_t first = a < b ? a : b;
-    const int32_t way = (int32_t)(b - a);
     c->strip.slope = l->slope;
     c->center = (int32_t)(first >> 8);
     c->strip.at_far = first & 255;
@@ -66,31 +65,12 @@ static inline void set_crossing(struct pel_smooth_crossing *c,
     c->rising = l->rising;
 }
 
-/* Moves a line on by a row, or stays where it has been moved to. False: it
- * begins or ends there, or has not been in the row above. */
-static bool move_line(struct pel_smooth_line *l, int32_t y,
-                      struct pel_smooth_crossing *c)
-{
-    if (y + 1 == l->row) {
-        l->at -= l->step;
-        l->row = y;
-    }
-    const int64_t at = l->at;
-    if (y != l->row || y < l->first || y >= l->end)
-        return false;
-    l->at += l->step;
-    l->row++;
-    c->strip.circle = NULL;
-    c->strip.near = 0;
-    c->strip.far = 65536;
-    set_crossing(c, l, at >> 16, l->at >> 16);
-    return true;
-}
-
 /* A line, or the upper or lower half of one that may be too wide. */
-static bool find_part(const struct pel_smooth_lines *lines, int32_t y,
-                      int32_t i, struct pel_smooth_crossing *c)
+static PEL_NOINLINE bool find_part(struct pel_smooth_outline *outline,
+                                   int32_t y, int32_t i,
+                                   struct pel_smooth_crossing *c)
 {
+    const struct pel_smooth_lines *const lines = (const void *)outline;
     struct pel_smooth_line *const l = &lines->line[lines->wide ? i >> 1 : i];
     const int64_t row = (int64_t)y * 65536;
     struct pel_smooth_far_place end[2];
@@ -102,8 +82,31 @@ static bool find_part(const struct pel_smooth_lines *lines, int32_t y,
     }
     if (!pel_smooth_upright(c, y, end[0].y, end[1].y))
         return false;
-    set_crossing(c, l, end[0].y < row ? line_at(l, y) : end[0].x,
-                 end[1].y > row + 65536 ? line_at(l, y + 1) : end[1].x);
+    const int64_t a = end[0].y < row ? line_at(l, y) : end[0].x;
+    const int64_t b = end[1].y > row + 65536 ? line_at(l, y + 1) : end[1].x;
+    set_crossing(c, l, a < b ? a : b, (int32_t)(b - a));
+    return true;
+}
+
+/* Moves a line on by a row, or stays where it has been moved to. False: it
+ * begins or ends there, or has not been in the row above. */
+static bool move_line(struct pel_smooth_line *l, int32_t y,
+                      struct pel_smooth_crossing *c)
+{
+    if (y + 1 == l->row) {
+        l->at -= l->step;
+        l->row = y;
+    }
+    const int64_t at = l->at, next = at + l->step;
+    if (y != l->row || y < l->first || y >= l->end)
+        return false;
+    l->at = next;
+    l->row++;
+    c->strip.circle = NULL;
+    c->strip.near = 0;
+    c->strip.far = 65536;
+    set_crossing(c, l, (l->step < 0 ? next : at) >> 16,
+                 (int32_t)((uint32_t)(next >> 16) - (uint32_t)(at >> 16)));
     return true;
 }
 
@@ -111,12 +114,12 @@ static bool find_line(struct pel_smooth_outline *outline, int32_t y, int32_t i,
                       struct pel_smooth_crossing *c)
 {
     const struct pel_smooth_lines *const lines = (const void *)outline;
-    return (!PEL_SMOOTH_TINY && !lines->wide &&
-            move_line(&lines->line[i], y, c)) ||
-           find_part(lines, y, i, c);
+    return (!lines->wide && move_line(&lines->line[i], y, c)) ||
+           find_part(outline, y, i, c);
 }
 
-static const struct pel_smooth_sides line_sides = {pel_smooth_cut, find_line};
+static const struct pel_smooth_sides line_sides = {
+    pel_smooth_cut, PEL_SMOOTH_TINY ? find_part : find_line};
 
 /* Of a direction, from one place down to the other. */
 static void set_line(struct pel_smooth_line *l, struct pel_point d,
@@ -148,7 +151,7 @@ void pel_smooth_lines_begin(struct pel_smooth_lines *lines,
     lines->ends = ends;
     o->sides = &line_sides;
     o->count = 0;
-    o->mirrored = false;
+    pel_smooth_mirror_from(o, INT32_MAX);
     o->spread.x = o->spread.y = 0;
 }
 

@@ -1,7 +1,81 @@
 #include "outline.h"
 
 #if !PEL_SMOOTH_TINY
+#include "line_side.h"
 #include "outline_row.h"
+
+/* From where on rows have mirror images that can be seen, too. */
+static void set_mirror(struct pel_smooth_outline *o)
+{
+    const int32_t sum = 2 * o->curve->center.y + o->spread.y;
+    o->mirror_y = (sum >> 8) - 1;
+    o->mirror_from = pel_max(o->mirror_from,
+                             pel_max(o->seen.y0, o->mirror_y - o->seen.y1 + 1));
+    if (sum & 255 || o->mirror_from > o->mirror_y >> 1)
+        o->mirror_from = INT32_MAX;
+}
+
+struct finder {
+    struct pel_smooth_crossing crossing;
+    struct pel_smooth_crossing *to;
+    int32_t first, most, n;
+};
+
+static void add(void *finder)
+{
+    struct finder *const f = finder;
+    const int32_t i = f->n++ - f->first;
+    if (i >= 0 && i < f->most)
+        f->to[i] = f->crossing;
+}
+
+int32_t pel_smooth_find_crossings(struct pel_smooth_outline *o, int32_t y,
+                                  int32_t first, int32_t most,
+                                  struct pel_smooth_crossing *to)
+{
+    struct finder f;
+    f.to = to;
+    f.first = first;
+    f.most = most;
+    f.n = 0;
+    pel_smooth_visit_row(o, y, &f.crossing, add, &f);
+    return f.n;
+}
+
+/* Makes *end the height, if that is above it, but not above row y. */
+static void note(int32_t height, int32_t y, int32_t *end)
+{
+    if (height >= y * 256)
+        *end = pel_min(*end, height);
+}
+
+/* Sides that are none of circles begin and end less than 4 sub-pixels from the
+ * ends of curves. */
+static void note_curve(const struct pel_smooth_outline *o, int32_t i, int32_t y,
+                       int32_t *end)
+{
+    const struct pel_smooth_curve *const curve = &o->curve[i];
+    const int32_t top = curve->center.y, bottom = top + o->spread.y;
+    note(top - curve->circle.radius, y, end);
+    note(top, y, end);
+    note(bottom, y, end);
+    note(bottom + curve->circle.radius, y, end);
+    if (!o->sides || !o->sides->cut)
+        return;
+    const struct pel_smooth_ends *const ends = pel_smooth_ends_of(o, i);
+    for (int32_t k = -4; k <= 4; k += 8) {
+        note(top + (ends->from.y >> 8) + k, y, end);
+        note(top + (ends->to.y >> 8) + k, y, end);
+    }
+}
+
+int32_t pel_smooth_find_end(const struct pel_smooth_outline *o, int32_t y)
+{
+    int32_t end = INT32_MAX;
+    for (int32_t i = 0; i < o->curves; i++)
+        note_curve(o, i, y, &end);
+    return end;
+}
 #endif
 
 bool pel_smooth_outline_begin(struct pel_smooth_outline *o,
@@ -14,9 +88,9 @@ bool pel_smooth_outline_begin(struct pel_smooth_outline *o,
     o->row = INT32_MAX;
 #if !PEL_SMOOTH_TINY
     o->inside = box->x0 >= clip->x0 && box->x1 <= clip->x1;
-    o->mirrored &= box->y0 >= clip->y0 && box->y1 <= clip->y1;
-    o->mirror_y = box->y0 + box->y1 - 1;
+    o->mirrored = false;
     o->alike = INT32_MIN;
+    set_mirror(o);
 #endif
     return !pel_rect_empty(&o->seen) &&
            pel_smooth_begin(&o->smooth, surface, paint);
@@ -33,17 +107,3 @@ bool pel_smooth_upright(struct pel_smooth_crossing *c, int32_t y, int64_t from,
     c->strip.far = (int32_t)(to - from);
     return from < to;
 }
-
-#if !PEL_SMOOTH_TINY
-static void call(void *visitor)
-{
-    struct pel_smooth_visitor *const v = visitor;
-    v->visit(v);
-}
-
-void pel_smooth_visit(struct pel_smooth_outline *o, int32_t y,
-                      struct pel_smooth_visitor *visitor)
-{
-    pel_smooth_visit_row(o, y, &visitor->crossing, call, visitor);
-}
-#endif

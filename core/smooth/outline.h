@@ -48,16 +48,30 @@ struct pel_smooth_outline {
     int32_t row;                          /* that curves were at last */
     uint8_t curves, count;                /* of sides that are no curves */
     bool inside;                          /* no column is clipped away */
-    bool mirrored; /* rows are painted with their mirror images, .. */
 #if !PEL_SMOOTH_TINY
-    int32_t mirror_y; /* .. to which their y adds up */
-    int32_t alike;    /* up to this row no side begins or ends (whole_rows.c) */
+    int32_t mirror_from; /* from here on rows have mirror images, .. */
+    int32_t mirror_y;    /* .. to which their y adds up */
+    bool mirrored;       /* .. and are painted with them now */
+    int32_t alike; /* down to here no side begins or ends (whole_rows.c) */
 #endif
 };
 
+/* From row y down to the centre of its first curve, or of the corners of a
+ * rectangle, rows have mirror images below it. */
+static inline void pel_smooth_mirror_from(struct pel_smooth_outline *outline,
+                                          int32_t y)
+{
+#if PEL_SMOOTH_TINY
+    (void)outline;
+    (void)y;
+#else
+    outline->mirror_from = y;
+#endif
+}
+
 /* Begins to paint an outline that has all but smooth, seen, row, inside,
- * mirror_y and alike, which are set here. False: nothing in the box of pixels
- * can be seen. */
+ * mirrored, mirror_y and alike, which are set here. False: nothing in the box
+ * of pixels can be seen. */
 bool pel_smooth_outline_begin(struct pel_smooth_outline *outline,
                               const struct pel_surface *surface,
                               const struct pel_rect *box,
@@ -70,16 +84,6 @@ void pel_smooth_outline_paint(struct pel_smooth_outline *outline);
  * rest; false: none of it is in the row. */
 bool pel_smooth_upright(struct pel_smooth_crossing *crossing, int32_t y,
                         int64_t from, int64_t to);
-
-/* Takes the crossings of a row, one by one. */
-struct pel_smooth_visitor {
-    struct pel_smooth_crossing crossing;
-    void (*visit)(struct pel_smooth_visitor *visitor);
-};
-
-/* Not where PEL_SMOOTH_TINY is 1. */
-void pel_smooth_visit(struct pel_smooth_outline *outline, int32_t y,
-                      struct pel_smooth_visitor *visitor);
 
 /* The inner boundary of a column that it crosses, in its picture. */
 static inline int32_t pel_smooth_boundary(const struct pel_smooth_crossing *c,
@@ -96,6 +100,17 @@ static inline struct pel_span pel_smooth_crossing_columns(
     const struct pel_span left = {-right.x1, -right.x0};
     return c->left ? left : right;
 }
+
+/* Finds the crossings of row y, of which it puts some into an array, from one
+ * on: how many there are. Not where PEL_SMOOTH_TINY is 1. */
+int32_t pel_smooth_find_crossings(struct pel_smooth_outline *outline, int32_t y,
+                                  int32_t first, int32_t most,
+                                  struct pel_smooth_crossing *to);
+
+/* The first height, from the top of row y on, at which a side may begin or end;
+ * nor that where PEL_SMOOTH_TINY is 1. */
+int32_t pel_smooth_find_end(const struct pel_smooth_outline *outline,
+                            int32_t y);
 
 /* Paints some rows from y on, above `end`, in which 2 or 4 sides cross whole
  * rows apart from each other, and their mirror images: how many. */

@@ -11,7 +11,7 @@
 #if PEL_SMOOTH_TINY
 enum { COLUMNS = PEL_SMOOTH_PIXELS };
 #else
-enum { COLUMNS = 16 };
+enum { COLUMNS = 16, CROSSINGS = 8 };
 #endif
 
 /* Some pixels of a row with a coverage each, and full ones behind them. */
@@ -92,7 +92,9 @@ struct window {
 #if PEL_SMOOTH_TINY
     struct pel_smooth_crossing crossing;
 #else
-    struct pel_smooth_visitor visitor; /* first */
+    struct pel_smooth_crossing at[CROSSINGS];
+    int32_t first, all; /* the first one of these, and how many there are */
+    const struct pel_smooth_crossing *crossing; /* one of them */
 #endif
     struct pel_span columns; /* that the side crosses */
     int32_t height;          /* of the side, below 0 if it falls, 2^-15 px */
@@ -109,7 +111,7 @@ static PEL_ALWAYS_INLINE const struct pel_smooth_crossing *crossing_of(
 #if PEL_SMOOTH_TINY
     return &w->crossing;
 #else
-    return &w->visitor.crossing;
+    return w->crossing;
 #endif
 }
 
@@ -181,17 +183,22 @@ static PEL_NOINLINE void fill_window(struct pel_smooth_outline *o, int32_t x,
     pel_smooth_visit_row(o, y, &w->crossing, add_side, w);
 }
 #else
-static void visit(struct pel_smooth_visitor *window)
-{
-    add_side(window);
-}
-
 static void fill_window(struct pel_smooth_outline *o, int32_t x, int32_t y,
                         struct window *w)
 {
+    int32_t first = 0;
     clear_window(o, x, w);
-    w->visitor.visit = visit;
-    pel_smooth_visit(o, y, &w->visitor);
+    do {
+        if (first != w->first)
+            w->all = pel_smooth_find_crossings(o, y, first, CROSSINGS, w->at);
+        w->first = first;
+        const int32_t n = pel_min(w->all - first, CROSSINGS);
+        for (int32_t i = 0; i < n; i++) {
+            w->crossing = &w->at[i];
+            add_side(w);
+        }
+        first += CROSSINGS;
+    } while (first < w->all);
 }
 #endif
 
@@ -251,31 +258,45 @@ void pel_smooth_outline_paint(struct pel_smooth_outline *o)
         }
 }
 #else
-static void paint_row(struct pel_smooth_outline *o, int32_t y)
+/* Paints a row, and its mirror image. */
+static PEL_NOINLINE_32 void paint_row(struct pel_smooth_outline *o, int32_t y)
 {
     struct window w;
     struct part p;
     p.y = y;
+    w.first = -1;
     for (int32_t x = o->seen.x0; x < o->seen.x1;) {
         x = find_part(o, x, &p, &w);
         const int32_t n = p.full.x0 - p.some.x0;
-        const struct pel_smooth_row row = {
-            y, p.some.x0, n, p.full.x1 - p.full.x0, 0, p.coverage};
+        struct pel_smooth_row row = {y, p.some.x0, n, p.full.x1 - p.full.x0,
+                                     0, p.coverage};
         pel_smooth_paint(&o->smooth, &row);
+        row.y = o->mirror_y - y;
+        if (o->mirrored && row.y > y)
+            pel_smooth_paint(&o->smooth, &row);
+    }
+}
+
+static void paint_rows(struct pel_smooth_outline *o, int32_t y, int32_t end)
+{
+    for (int32_t n; y < end; y += n) {
+        n = pel_smooth_whole_rows(o, y, end);
+        if (n > 0)
+            continue;
+        paint_row(o, y);
+        n = 1;
     }
 }
 
 void pel_smooth_outline_paint(struct pel_smooth_outline *o)
 {
-    const int32_t end = o->mirrored ? (o->mirror_y >> 1) + 1 : o->seen.y1;
-    for (int32_t y = o->seen.y0, n; y < end; y += n) {
-        n = pel_smooth_whole_rows(o, y, end);
-        if (n > 0)
-            continue;
-        paint_row(o, y);
-        if (o->mirrored && o->mirror_y > 2 * y)
-            paint_row(o, o->mirror_y - y);
-        n = 1;
-    }
+    const int32_t from = pel_min(o->mirror_from, o->seen.y1);
+    paint_rows(o, o->seen.y0, from);
+    if (from == o->seen.y1)
+        return;
+    o->mirrored = true;
+    paint_rows(o, from, (o->mirror_y >> 1) + 1);
+    o->mirrored = false;
+    paint_rows(o, o->mirror_y - from + 1, o->seen.y1);
 }
 #endif

@@ -13,6 +13,7 @@ void pel_smooth_round_set(struct pel_smooth_outline *o,
                           struct pel_point center, int32_t inner, int32_t outer)
 {
     o->spread.x = o->spread.y = 0;
+    pel_smooth_mirror_from(o, INT32_MIN);
     o->curve = curve;
     o->curves = inner > 0 ? 2 : 1;
     o->sides = NULL;
@@ -36,6 +37,5 @@ bool pel_smooth_round_begin(const struct pel_surface *surface,
     const struct pel_rect box = {
         pel_pixel_of(c.x - width - 1), pel_pixel_of(c.y - height),
         pel_pixel_of(far.x + width) + 1, pel_pixel_of(far.y + height + 255)};
-    o->mirrored = ((c.y + far.y) & 255) == 0;
     return pel_smooth_outline_begin(o, surface, &box, paint);
 }

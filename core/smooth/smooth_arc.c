@@ -54,6 +54,27 @@ struct arc_outline {
     } of;
 };
 
+/* How far from the centre's height there is nothing of an end, 1/256 px. It
+ * lies within half the width of the arc of its middle. */
+static int32_t free_of(const struct pel_arc_shape *arc, uint16_t angle)
+{
+    const struct pel_smooth_place middle =
+        place_at(angle, (arc->inner + arc->outer) >> 1);
+    return (pel_magnitude(middle.y) >> 8) - ((arc->outer - arc->inner) >> 1);
+}
+
+/* Between its ends an arc is as far up as down. They reach a few sub-pixels
+ * further than they should. */
+static void set_mirror(struct pel_smooth_outline *o,
+                       const struct pel_arc_shape *arc,
+                       struct pel_angles angles)
+{
+    const int32_t room =
+        pel_min(free_of(arc, angles.from), free_of(arc, angles.to)) - 8;
+    pel_smooth_mirror_from(
+        o, room > 0 ? pel_pixel_of(arc->center.y - room + 255) : INT32_MAX);
+}
+
 static void set_half(struct pel_smooth_outline *o, int32_t i,
                      const struct pel_arc_shape *arc, uint16_t angle,
                      uint16_t turn)
@@ -102,6 +123,8 @@ static PEL_NOINLINE void set_outline(struct arc_outline *t,
     set_curve(o, 0, arc->center, angles, arc->outer);
     set_curve(o, inner, arc->center, angles, arc->inner);
     o->curve[inner].circle.hole = true;
+    if (!PEL_SMOOTH_TINY)
+        set_mirror(o, arc, angles);
     if (round) {
         o->curves = o->count = 4;
         o->sides = &joints;

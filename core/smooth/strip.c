@@ -2,6 +2,7 @@
 
 #include "../base/divide.h"
 #include "smooth.h"
+#include "strip_arc.h"
 
 #include <stddef.h>
 
@@ -9,7 +10,7 @@
 enum { SMALL = 40 * 256 };
 
 /* 2^23 / sqrt((i + 32.5) 2^25) - 128 */
-static const uint8_t first_guess[96] = {
+const uint8_t pel_smooth_first_guess[96] = {
     126, 122, 119, 115, 112, 108, 105, 102, 100, 97, 94, 92, 89, 87, 84, 82,
     80,  78,  76,  74,  72,  70,  68,  66,  65,  63, 61, 60, 58, 57, 55, 54,
     52,  51,  50,  48,  47,  46,  44,  43,  42,  41, 40, 39, 38, 36, 35, 34,
@@ -17,21 +18,6 @@ static const uint8_t first_guess[96] = {
     19,  19,  18,  17,  16,  16,  15,  14,  14,  13, 12, 12, 11, 10, 10, 9,
     9,   8,   7,   7,   6,   6,   5,   4,   4,   3,  3,  2,  2,  1,  1,  0,
 };
-
-/* 2^10 sqrt(n) of n >= 2^30, off by less than 4. With x = n / 2^16, a step of
- * Newton's iteration gives r = 2^23 / sqrt(x) to 2^-13 of it. So x r is a root
- * that is off by less than 10, and the rest over twice the root gives 10 bits
- * more: q < 2^16, |rest| < 2^21, r <= 2^16. */
-static inline uint32_t root_of(uint32_t n)
-{
-    const uint32_t x = n >> 16;
-    uint32_t r = ((uint32_t)first_guess[(n >> 25) - 32] + 128) << 8;
-    const int32_t e = (int32_t)((UINT32_C(1) << 30) - (x * r >> 16) * r);
-    r += (uint32_t)((e >> 15) * (int32_t)r >> 16);
-    const uint32_t q = x * r >> 15;
-    const int32_t rest = (int32_t)(n - q * q);
-    return (q << 10) + (uint32_t)((rest >> 4) * (int32_t)(r >> 2) >> 16);
-}
 
 /* radius^2 - distance^2 in 32 bits, of 2^-16 px^2 times 4^-down. */
 static uint32_t square_at(const struct pel_smooth_circle *c, int32_t distance,
@@ -55,7 +41,7 @@ int32_t pel_smooth_arc_at(const struct pel_smooth_circle *c, int32_t distance,
     uint32_t n = r < 65536 ? r * r - d * d : square_at(c, distance, &shift);
     for (; n < UINT32_C(1) << 30; n <<= 2)
         shift--;
-    const uint32_t root = root_of(n);
+    const uint32_t root = pel_smooth_root(n);
     return (int32_t)(shift < 2 ? root >> (2 - shift) : root << (shift - 2));
 }
 
@@ -112,35 +98,6 @@ static uint32_t small_bulge(const struct pel_smooth_circle *c,
     return area + (area * (more * q >> 16) >> 16);
 }
 
-/* From 40 px on l is what a piece has along the axis that the strip's arc goes
- * along, times r / z, z the distance from the centre along the other one, at
- * the middle of the strip: at least .69 r. */
-static inline bool is_steep(const struct pel_smooth_strip *s)
-{
-    return s->at_near - s->at_far < s->far - s->near;
-}
-
-/* (r / z)^3 / 12 r, 2^-23 px, by twice z: the area of a piece that goes along
- * the axis for a pixel, below .006 px. With z = (1 - e) r, 4/3 (1 - e)^-3 is a
- * polynomial that is off by 2.3 %, and the middle of the strip for that of the
- * piece by 5 %, where r is 40 px: together by .1 of 255. The factors are below
- * 2^14 2^8, 2^8 2^11, 2^9 2^8. */
-static inline uint32_t pixel_bulge(const struct pel_smooth_circle *c,
-                                   uint32_t z)
-{
-    const uint32_t e =
-        (((uint32_t)c->radius - (z >> 9)) >> c->down) * c->of.inverse >> 8;
-    const uint32_t p = 173 + ((169 + (19 * e >> 6)) * e >> 11);
-    return p * c->of.inverse >> c->down;
-}
-
-/* Of a piece that goes along it for w, at most 2^16: below 2^16 2^15. */
-static inline uint32_t large_bulge(uint32_t pixel, int32_t w)
-{
-    const uint32_t half = (uint32_t)w >> 1, square = half * half >> 15;
-    return pixel * (square * half >> 15) >> 23;
-}
-
 static uint32_t bulge_of(const struct pel_smooth_strip *s,
                          const struct pel_smooth_arc_piece *p)
 {
@@ -151,11 +108,11 @@ static uint32_t bulge_of(const struct pel_smooth_strip *s,
         return small_bulge(c, p);
     uint32_t z = (uint32_t)s->near + (uint32_t)s->far;
     int32_t w = p->u1 - p->u0;
-    if (is_steep(s)) {
+    if (pel_smooth_is_steep(s)) {
         z = (uint32_t)s->at_near + (uint32_t)s->at_far;
         w = p->v0 - p->v1;
     }
-    return large_bulge(pixel_bulge(c, z), w);
+    return pel_smooth_large_bulge(pel_smooth_pixel_bulge(c, z), w);
 }
 
 /* What lies below a piece's chord and above the strip's near end, 2^-15 px: the
@@ -205,12 +162,6 @@ uint32_t pel_smooth_area(const struct pel_smooth_strip *s, int32_t u,
 }
 
 #if !PEL_SMOOTH_TINY
-/* Is it a circle that cover_arc takes? */
-static inline bool is_large(const struct pel_smooth_circle *c)
-{
-    return c && c->down > 0 && c->down != PEL_SMOOTH_OVAL && c->radius < 65536;
-}
-
 /* Of all that a strip has of a circle. */
 static PEL_NOINLINE uint32_t all_bulge(const struct pel_smooth_strip *s)
 {
@@ -224,123 +175,150 @@ static inline void put_area(uint32_t area, uint32_t flip, uint8_t *to)
     *to = pel_smooth_coverage((area ^ flip) + (flip & 32769));
 }
 
-/* Columns from u on, of which the side leaves the first one; of lines, or of
- * all kinds. */
-static PEL_ALWAYS_INLINE void cover_columns(const struct pel_smooth_side *k,
-                                            int32_t u, uint32_t flip,
-                                            uint8_t *to, bool line)
+/* Columns of any kind of side, which leaves the first one at u. */
+static PEL_NOINLINE void cover_any(const struct pel_smooth_side *k, int32_t u,
+                                   uint8_t *to)
 {
     const struct pel_smooth_strip *const s = k->strip;
-    const int32_t step = k->left ? -1 : 1, near = s->near, last = s->at_near;
+    const int32_t step = k->left ? -1 : 1, last = s->at_near;
     uint32_t whole = (uint32_t)(s->at_far - u) >> 1;
     int32_t u0 = s->at_far, v0 = s->far;
     for (int32_t n = k->bytes; n > 0; n--, to += step) {
         u += 65536;
         const int32_t u1 = pel_min(u, last);
-        const int32_t v1 = u >= last ? near
-                           : line    ? pel_max(near, line_at(s, u))
-                                     : height_at(s, u);
+        const int32_t v1 = u >= last ? s->near : height_at(s, u);
         const struct pel_smooth_arc_piece p = {u0, v0, u1, v1};
-        put_area(whole + chord_area(s, &p) + (line ? 0 : bulge_of(s, &p)), flip,
-                 to);
+        put_area(whole + chord_area(s, &p) + bulge_of(s, &p), k->flip, to);
         u0 = u1;
         v0 = v1;
         whole = 0;
     }
 }
 
-static PEL_NOINLINE void cover_line(const struct pel_smooth_side *k, int32_t u,
-                                    uint32_t flip, uint8_t *to)
-{
-    cover_columns(k, u, flip, to, true);
-}
-
-static PEL_NOINLINE void cover_any(const struct pel_smooth_side *k, int32_t u,
-                                   uint32_t flip, uint8_t *to)
-{
-    cover_columns(k, u, flip, to, false);
-}
-
-/* The height of the arc of a circle whose square has 32 bits, in its strip.
- * Roots further out need no smaller shift. */
+/* The same in the strip of a row. */
 static PEL_ALWAYS_INLINE int32_t arc_height(const struct pel_smooth_strip *s,
-                                            uint32_t square, int32_t u,
-                                            int32_t *shift)
+                                            int32_t u, int32_t *shift)
 {
-    const uint32_t d = (uint32_t)u >> 8;
-    uint32_t n = (square - d * d) << *shift;
-    for (; n < UINT32_C(1) << 30; n <<= 2)
-        *shift += 2;
-    const int32_t v = (int32_t)(root_of(n) >> (2 + (*shift >> 1))) - s->near;
-    return pel_max(0, pel_min(v, s->far - s->near));
+    const uint32_t r = (uint32_t)s->circle->radius;
+    const int32_t v =
+        pel_smooth_root_at(r * r, (uint32_t)u >> 8, shift) - s->near;
+    return pel_max(0, pel_min(v, 65536));
 }
 
-/* The area below a piece of it that goes along for w and down from v0 to v1. */
-static inline uint32_t piece_area(const struct pel_smooth_strip *s, int32_t w,
-                                  int32_t v0, int32_t v1)
-{
-    return ((uint32_t)(w >> 1) * ((uint32_t)(v0 + v1) >> 1) >> 16) +
-           large_bulge(s->bulge, is_steep(s) ? v0 - v1 : w);
-}
-
-/* The same of such a circle, two columns or more: a part of the first one,
- * whole ones, a part of the last one. */
-static PEL_NOINLINE void cover_arc(const struct pel_smooth_side *k, int32_t u,
-                                   uint32_t flip, uint8_t *to)
+/* Both columns that such an arc crosses which goes down more than along. */
+static PEL_NOINLINE void cover_steep(const struct pel_smooth_side *k, int32_t u,
+                                     uint8_t *to)
 {
     const struct pel_smooth_strip *const s = k->strip;
-    const int32_t step = k->left ? -1 : 1, w = u + 65536 - s->at_far;
-    const uint32_t r = (uint32_t)s->circle->radius, square = r * r;
-    const uint8_t *const last = to + (k->bytes - 1) * step;
-    int32_t shift = 0, v0 = arc_height(s, square, u += 65536, &shift);
-    put_area(((uint32_t)(65536 - w) >> 1) +
-                 piece_area(s, w, s->far - s->near, v0),
-             flip, to);
-    for (; u + 65536 < s->at_near; u += 65536) {
-        const int32_t v1 = arc_height(s, square, u + 65536, &shift);
-        put_area(((uint32_t)(v0 + v1) >> 2) + (s->bulge >> 8), flip,
-                 to += step);
+    const int32_t end = s->at_near - u, w = u - s->at_far;
+    const int32_t step = k->left ? -1 : 1;
+    int32_t shift = 0;
+    const int32_t v = arc_height(s, u, &shift);
+    uint32_t area = (uint32_t)(65536 - w) >> 1;
+    area += (uint32_t)(w >> 1) * ((uint32_t)(v + 65536) >> 1) >> 16;
+    put_area(area + pel_smooth_large_bulge(s->bulge, 65536 - v), k->flip, to);
+    area = (uint32_t)(end >> 1) * ((uint32_t)v >> 1) >> 16;
+    put_area(area + pel_smooth_large_bulge(s->bulge, v), k->flip, to += step);
+    if (end == 65536)
+        put_area(0, k->flip, to + step);
+}
+
+/* What is below a piece that goes along for w and down from v0 to v1. */
+static PEL_ALWAYS_INLINE uint32_t piece_area(uint32_t bulge, int32_t w,
+                                             int32_t v0, int32_t v1)
+{
+    return ((uint32_t)(w >> 1) * ((uint32_t)(v0 + v1) >> 1) >> 16) +
+           pel_smooth_large_bulge(bulge, w);
+}
+
+/* Where a line is at boundaries of columns, in 2^-31 px from the far end. */
+struct way {
+    uint32_t moved, step;
+};
+
+static PEL_ALWAYS_INLINE int32_t line_height(struct way *way)
+{
+    const int32_t v = 65536 - (int32_t)(way->moved >> 15);
+    way->moved += way->step;
+    return pel_max(0, v);
+}
+
+/* Two columns or more, of a line or of such an arc that goes along more than
+ * down: a part of the first one, whole ones, a part of the last one. The first
+ * one ends at u. */
+static PEL_ALWAYS_INLINE void cover_flat(const struct pel_smooth_side *k,
+                                         int32_t u, uint8_t *to,
+                                         struct way *way)
+{
+    const struct pel_smooth_strip *const s = k->strip;
+    const int32_t step = k->left ? -1 : 1, end = s->at_near;
+    const uint32_t bulge = way ? 0 : s->bulge, flip = k->flip;
+    const int32_t w = u - s->at_far;
+    int32_t shift = 0;
+    int32_t v0 = way ? line_height(way) : arc_height(s, u, &shift);
+    const uint32_t area = piece_area(bulge, w, 65536, v0);
+    put_area(((uint32_t)(65536 - w) >> 1) + area, flip, to);
+    for (u += 65536; u < end; u += 65536) {
+        const int32_t v1 = way ? line_height(way) : arc_height(s, u, &shift);
+        put_area(((uint32_t)(v0 + v1) >> 2) + (bulge >> 8), flip, to += step);
         v0 = v1;
     }
-    put_area(piece_area(s, s->at_near - u, v0, 0), flip, to += step);
-    if (to != last)
+    put_area(piece_area(bulge, end - (u - 65536), v0, 0), flip, to += step);
+    if (u == end)
         put_area(0, flip, to + step);
 }
 
-void pel_smooth_side_cover(const struct pel_smooth_side *k, uint8_t *to)
+static PEL_NOINLINE void cover_arc(const struct pel_smooth_side *k, int32_t u,
+                                   uint8_t *to)
+{
+    cover_flat(k, u, to, NULL);
+}
+
+/* A row with room for its bytes has fewer than 2^8 columns: their width is
+ * shifted down by less than 16. */
+static PEL_NOINLINE void cover_line(const struct pel_smooth_side *k, int32_t u,
+                                    uint8_t *to)
+{
+    const struct pel_smooth_slope *const slope = &k->strip->slope;
+    const uint32_t first = (uint32_t)(u - k->strip->at_far);
+    struct way way = {(first << slope->up >> slope->down) * slope->rise,
+                      (UINT32_C(65536) << slope->up >> slope->down) *
+                          slope->rise};
+    cover_flat(k, u, to, &way);
+}
+
+/* More than a column, of which the first one ends at u. */
+static inline void cover_some(const struct pel_smooth_side *k, int32_t u,
+                              uint8_t *to)
 {
     const struct pel_smooth_strip *const s = k->strip;
-    const uint32_t flip = k->flip;
-    const int32_t u = k->u;
+    if (!s->circle)
+        cover_line(k, u, to);
+    else if (s->bulge == 0)
+        cover_any(k, u - 65536, to);
+    else if (pel_smooth_is_steep(s))
+        cover_steep(k, u, to);
+    else
+        cover_arc(k, u, to);
+}
+
+void pel_smooth_side_cover(const struct pel_smooth_side *k, int32_t u,
+                           uint8_t *to)
+{
+    const struct pel_smooth_strip *const s = k->strip;
     if (k->left)
         to += k->bytes - 1;
     if (s->at_near - u > 65536) {
-        if (s->bulge)
-            cover_arc(k, u, flip, to);
-        else if (s->circle)
-            cover_any(k, u, flip, to);
-        else
-            cover_line(k, u, flip, to);
+        cover_some(k, u + 65536, to);
         return;
     }
     uint32_t area = ((uint32_t)(s->at_far - u) >> 1) +
                     ((uint32_t)(s->at_near - s->at_far) >> 2) + (s->bulge >> 8);
     if (s->circle && s->bulge == 0)
         area += all_bulge(s);
-    put_area(area, flip, to);
+    put_area(area, k->flip, to);
     if (k->bytes > 1)
-        put_area(0, flip, to + (k->left ? -1 : 1));
+        put_area(0, k->flip, to + (k->left ? -1 : 1));
 }
 
-uint32_t pel_smooth_pixel_bulge(const struct pel_smooth_strip *s)
-{
-    const bool steep = is_steep(s);
-    return pixel_bulge(s->circle, (uint32_t)(steep ? s->at_near : s->near) +
-                                      (uint32_t)(steep ? s->at_far : s->far));
-}
-
-void pel_smooth_strip_begin(struct pel_smooth_strip *s)
-{
-    s->bulge = is_large(s->circle) ? pel_smooth_pixel_bulge(s) : 0;
-}
 #endif

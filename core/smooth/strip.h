@@ -69,7 +69,7 @@ struct pel_smooth_strip {
     int32_t near, far;       /* 0 <= near < far, at most a pixel more */
     int32_t at_near, at_far; /* where the arc is there */
 #if !PEL_SMOOTH_TINY
-    uint32_t bulge; /* as pel_smooth_strip_begin sets it */
+    uint32_t bulge; /* 0, or of an arc that goes along an axis for a pixel */
 #endif
 };
 
@@ -130,29 +130,22 @@ static inline uint32_t pel_smooth_column_area(
     return pel_smooth_area(strip, u, piece);
 }
 
-/* A side of a whole row, the columns that it crosses, and the bytes of their
- * coverage: none out of sight. */
+/* A side of a whole row. Not where PEL_SMOOTH_TINY is 1. */
 struct pel_smooth_side {
     const struct pel_smooth_strip *strip;
     int32_t center;
-    struct pel_span columns;
-    int32_t u; /* the inner boundary of the first one from its axis */
-    int32_t bytes;
-    uint32_t flip;     /* all ones where what lies beyond the arc is covered */
-    bool left, rising; /* as of a crossing (outline.h) */
+    int32_t x; /* its first column in the row that it was found in */
     const struct pel_smooth_side *image; /* its mirror image, whose bytes are
                                             its own backwards; or NULL */
-    const uint8_t *at;                   /* its bytes */
+    const uint8_t *at; /* a byte of coverage for each column that it crosses, */
+    int32_t bytes;     /* or none: they are out of sight */
+    uint32_t flip;     /* all ones where what lies beyond the arc is covered */
+    bool left, rising; /* as of a crossing (outline.h) */
 };
 
-/* The area between the arc of a circle from 40 px on and its chord, in a piece
- * that goes along an axis for a pixel: 2^-23 px. */
-uint32_t pel_smooth_pixel_bulge(const struct pel_smooth_strip *strip);
-
-/* Sets bulge to that, or 0. */
-void pel_smooth_strip_begin(struct pel_smooth_strip *strip);
-
-/* Writes the coverage of all columns of a side. */
-void pel_smooth_side_cover(const struct pel_smooth_side *side, uint8_t *to);
+/* Writes the coverage of all columns of a side, the first of which, from its
+ * axis, begins at u. */
+void pel_smooth_side_cover(const struct pel_smooth_side *side, int32_t u,
+                           uint8_t *to);
 
 #endif

@@ -1,62 +1,100 @@
 /* Rows that sides cross from their upper end to the lower one, apart from each
  * other: many at a time. */
-#include "line_side.h"
 #include "outline.h"
+#include "strip_arc.h"
 
 #include <stddef.h>
 
 #if !PEL_SMOOTH_TINY
 
-enum { MOST = 4 };
+/* MOST sides in a row; a crossing that has the strip of one before it. */
+enum { MOST = 4, SHARED = -2 };
 
-/* The sides of a row from left to right, and what they are sides of: two of one
- * circle have one strip. */
+/* The sides of a row from left to right, and the crossings that have their
+ * strips: two of one circle have one. */
 struct sides {
-    struct pel_smooth_visitor visitor; /* first */
-    const struct pel_rect *seen;       /* or NULL: all of it */
-    int32_t row;                       /* of what follows */
-    int32_t n, crossings;
+    const struct pel_rect *seen; /* or NULL: all of it */
+    int32_t row;                 /* of what follows */
+    int32_t n;
     struct pel_smooth_side side[MOST];
     struct pel_smooth_crossing crossing[MOST];
 };
+
+static inline void set_bulge(struct pel_smooth_strip *s)
+{
+    const bool steep = pel_smooth_is_steep(s);
+    s->bulge = pel_smooth_pixel_bulge(
+        s->circle, (uint32_t)(steep ? s->at_near : s->near) +
+                       (uint32_t)(steep ? s->at_far : s->far));
+}
+
+/* Sets bulge: of a circle from 40 px on, to the area between its arc and the
+ * chord, 2^-23 px, of a piece that goes along an axis for a pixel; or to 0. */
+static void begin_strip(struct pel_smooth_strip *s)
+{
+    const struct pel_smooth_circle *const c = s->circle;
+    s->bulge = 0;
+    if (c && c->down > 0 && c->down != PEL_SMOOTH_OVAL && c->radius < 65536)
+        set_bulge(s);
+}
+
+/* Where the circle is at a height in its strip. */
+static PEL_ALWAYS_INLINE int32_t width_at(const struct pel_smooth_strip *s,
+                                          int32_t height)
+{
+    const struct pel_smooth_circle *const c = s->circle;
+    const uint32_t r = (uint32_t)c->radius;
+    int32_t shift = 0;
+    if (s->bulge == 0)
+        return pel_smooth_arc_at(c, height >> 8, false);
+    return height < c->reach
+               ? pel_smooth_root_at(r * r, (uint32_t)height >> 8, &shift)
+               : 0;
+}
+
+/* Moves the strip of a circle on by a row.
+ * Where the arc is at the near end of the row above the centre, or at the far
+ * end of one below, it has not been cut to the other end, but for where both
+ * are equal. */
+static void move_down(struct pel_smooth_strip *s, bool below)
+{
+    int32_t far = s->at_near, near = s->at_far;
+    if (below) {
+        if (near == far)
+            near = width_at(s, s->far);
+        s->near = s->far;
+        s->far += 65536;
+        far = width_at(s, s->far);
+    } else {
+        s->far = s->near;
+        s->near -= 65536;
+        near = s->near > 0 ? width_at(s, s->near) : s->circle->reach;
+    }
+    s->at_near = near;
+    s->at_far = pel_min(far, near);
+    if (s->bulge)
+        set_bulge(s);
+}
 
 static bool is_whole(const struct pel_smooth_crossing *c)
 {
     return c->strip.far - c->strip.near == 65536;
 }
 
-/* The strip of a side. */
-static const struct pel_smooth_strip *strip_of(
-    struct sides *s, const struct pel_smooth_crossing *c)
+/* Puts a side where it is from left to right. */
+static void place(struct sides *s, const struct pel_smooth_crossing *c,
+                  const struct pel_smooth_strip *strip)
 {
-    struct pel_smooth_crossing *to = &s->crossing[s->crossings];
-    if (s->crossings && c->other < 0 && to[-1].strip.circle == c->strip.circle)
-        return &to[-1].strip;
-    s->crossings++;
-    *to = *c;
-    return &to->strip;
-}
-
-/* Puts a side where it is from left to right. One that does not cross a whole
- * row counts as too many. */
-static void place(struct pel_smooth_visitor *sides)
-{
-    struct sides *const s = (void *)sides;
-    const struct pel_smooth_crossing *const c = &sides->crossing;
-    if (s->n >= MOST || !is_whole(c)) {
-        s->n = MOST + 1;
-        return;
-    }
-    const struct pel_span columns = pel_smooth_crossing_columns(c);
+    const int32_t x = pel_smooth_crossing_columns(c).x0;
     struct pel_smooth_side *k = s->side + s->n++;
-    for (; k > s->side && k[-1].columns.x0 > columns.x0; k--)
+    for (; k > s->side && k[-1].x > x; k--)
         *k = k[-1];
-    k->strip = strip_of(s, c);
+    k->strip = strip;
     k->center = c->center;
-    k->columns = columns;
+    k->x = x;
+    k->flip = c->left == c->rising ? 0 : ~UINT32_C(0);
     k->left = c->left;
     k->rising = c->rising;
-    k->flip = c->left == c->rising ? 0 : ~UINT32_C(0);
 }
 
 /* Is side b the image of a, column by column? */
@@ -67,58 +105,52 @@ static bool is_mirror(const struct pel_smooth_side *a,
            ((a->center ^ b->center) & 255) == 0;
 }
 
+/* The sides of crossings, each of which crosses a whole row. */
+static void place_all(struct sides *s, int32_t n)
+{
+    struct pel_smooth_crossing *c = s->crossing, *own = c;
+    const struct pel_smooth_crossing *const end = c + n;
+    for (s->n = 0; c < end; c++) {
+        if (c > own && c->other < 0 && c->strip.circle == own->strip.circle) {
+            c->other = SHARED;
+        } else {
+            own = c;
+            begin_strip(&own->strip);
+        }
+        place(s, c, &own->strip);
+    }
+}
+
 /* Finds the sides of row y. False: they are not 2 or 4 that cross all of it. */
 static bool find_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
 {
-    s->n = s->crossings = 0;
-    pel_smooth_visit(o, y, &s->visitor);
-    if (s->n == 0 || s->n > MOST || s->n % 2)
+    const int32_t n = pel_smooth_find_crossings(o, y, 0, MOST, s->crossing);
+    if (n == 0 || n > MOST || n % 2)
         return false;
-    for (int32_t i = 0; i < s->n; i++) {
+    for (int32_t i = 0; i < n; i++)
+        if (!is_whole(&s->crossing[i]))
+            return false;
+    place_all(s, n);
+    for (int32_t i = 0; i < n; i++) {
         struct pel_smooth_side *const k = &s->side[i];
         const struct pel_smooth_side *const other = &s->side[s->n - 1 - i];
         if (k->rising == (i & 1))
             return false;
         k->image = is_mirror(other, k) ? other : NULL;
     }
-    for (int32_t i = 0; i < s->crossings; i++)
-        pel_smooth_strip_begin(&s->crossing[i].strip);
     return true;
-}
-
-/* Moves the strip of a circle on by a row. Where the arc is at the near end of
- * the row above the centre, or at the far end of one below, it has not been cut
- * to the other end, but for where both are equal. */
-static void move_down(struct pel_smooth_strip *s, bool below)
-{
-    const struct pel_smooth_circle *const c = s->circle;
-    if (below) {
-        s->at_near = s->at_far < s->at_near
-                         ? s->at_far
-                         : pel_smooth_arc_at(c, s->far >> 8, false);
-        s->near = s->far;
-        s->far += 65536;
-        s->at_far = pel_smooth_arc_at(c, s->far >> 8, false);
-    } else {
-        s->at_far = s->at_near;
-        s->far = s->near;
-        s->near -= 65536;
-        s->at_near =
-            s->near > 0 ? pel_smooth_arc_at(c, s->near >> 8, false) : c->reach;
-    }
-    s->at_far = pel_min(s->at_far, s->at_near);
 }
 
 /* Goes on to row y, where no side begins or ends. False: one does not cross all
  * of it. */
 static bool move_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
 {
-    for (int32_t i = 0; i < s->crossings; i++) {
+    for (int32_t i = 0; i < s->n; i++) {
         struct pel_smooth_crossing *const c = &s->crossing[i];
+        if (c->other == SHARED)
+            continue;
         if (c->other < 0) {
             move_down(&c->strip, c->below);
-            if (c->strip.bulge)
-                c->strip.bulge = pel_smooth_pixel_bulge(&c->strip);
             continue;
         }
         if (!o->sides->other(o, y, c->other, c) || !is_whole(c))
@@ -128,43 +160,6 @@ static bool move_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
                 s->side[k].center = c->center;
     }
     return true;
-}
-
-/* Makes *end the row of a height, if that is earlier, but not above row y. */
-static void note(int32_t height, int32_t y, int32_t *end)
-{
-    const int32_t row = pel_pixel_of(height);
-    if (row >= y)
-        *end = pel_min(*end, row);
-}
-
-/* Sides that are none of circles begin and end less than 4 sub-pixels from the
- * ends of curves. */
-static void note_curve(const struct pel_smooth_outline *o, int32_t i, int32_t y,
-                       int32_t *end)
-{
-    const struct pel_smooth_curve *const curve = &o->curve[i];
-    const int32_t top = curve->center.y, bottom = top + o->spread.y;
-    note(top - curve->circle.radius, y, end);
-    note(top, y, end);
-    note(bottom, y, end);
-    note(bottom + curve->circle.radius, y, end);
-    if (!o->sides || !o->sides->cut)
-        return;
-    const struct pel_smooth_ends *const ends = pel_smooth_ends_of(o, i);
-    for (int32_t k = -4; k <= 4; k += 8) {
-        note(top + (ends->from.y >> 8) + k, y, end);
-        note(top + (ends->to.y >> 8) + k, y, end);
-    }
-}
-
-/* Where rows end, from y on, in which no side begins or ends. */
-static int32_t find_end(const struct pel_smooth_outline *o, int32_t y)
-{
-    int32_t end = INT32_MAX;
-    for (int32_t i = 0; i < o->curves; i++)
-        note_curve(o, i, y, &end);
-    return end;
 }
 
 /* What is between two sides, and where the bytes of the next row go. */
@@ -179,66 +174,78 @@ struct rows {
     struct pair pair[MOST / 2];
 };
 
-/* Writes the bytes of a side, and returns where they end. */
-static inline uint8_t *put_side(struct pel_smooth_side *k, uint8_t *to)
+/* Writes n bytes of a side, whose first column begins at u, and returns where
+ * they end. */
+static inline uint8_t *put_side(struct pel_smooth_side *k, int32_t u, int32_t n,
+                                uint8_t *to)
 {
-    int32_t n = k->bytes;
+    const struct pel_smooth_side *const image = k->image;
     k->at = to;
+    k->bytes = n;
     if (n == 0)
         return to;
-    if (!k->image || k->image->bytes == 0) {
-        pel_smooth_side_cover(k, to);
+    if (!image || image->bytes == 0) {
+        pel_smooth_side_cover(k, u, to);
         return to + n;
     }
-    for (const uint8_t *from = k->image->at + n; n > 0; n--)
+    for (const uint8_t *from = image->at + n; n > 0; n--)
         *to++ = *--from;
     return to;
 }
 
-/* Finds the columns of a side, which lie right of x: where they end. */
-static inline bool find_columns(struct pel_smooth_side *k,
-                                const struct pel_rect *seen, int32_t x)
+/* The columns of a side; *u: the inner boundary of the first one from the axis.
+ */
+static inline struct pel_span columns_of(const struct pel_smooth_side *k,
+                                         int32_t *u)
 {
-    struct pel_span c = pel_smooth_crossed(k->strip, k->center);
-    k->u = (c.x0 * 256 - k->center) * 256;
-    if (k->left)
-        c = (struct pel_span){-c.x1, -c.x0};
-    k->columns = c;
-    k->bytes = c.x1 - c.x0;
-    if (seen && (c.x0 >= seen->x1 || c.x1 <= seen->x0))
-        k->bytes = 0;
-    return c.x0 >= x;
+    const struct pel_span c = pel_smooth_crossed(k->strip, k->center);
+    const struct pel_span left = {-c.x1, -c.x0};
+    *u = (c.x0 * 256 - k->center) * 256;
+    return k->left ? left : c;
 }
 
-/* Adds a row of two sides, if they are apart, right of x, and there is room. */
-static bool put_pair(struct pair *p, struct pel_smooth_side *k,
-                     const struct pel_rect *seen, int32_t x)
+/* How many of them get bytes. */
+static inline int32_t bytes_of(const struct pel_span *columns,
+                               const struct pel_rect *seen)
+{
+    const bool away =
+        seen && (columns->x0 >= seen->x1 || columns->x1 <= seen->x0);
+    return away ? 0 : columns->x1 - columns->x0;
+}
+
+/* Adds a row of two sides, if they are apart, right of x, and there is room:
+ * where they end; or INT32_MIN. */
+static int32_t put_pair(struct pair *p, struct pel_smooth_side *k,
+                        const struct pel_rect *seen, int32_t x)
 {
     struct pel_smooth_batch *const b = &p->batch;
-    if (!find_columns(&k[0], seen, x) ||
-        !find_columns(&k[1], seen, k[0].columns.x1) ||
-        k[0].bytes + k[1].bytes > b->coverage + PEL_SMOOTH_BATCH_BYTES - p->to)
-        return false;
-    const int32_t at = 2 * b->n++;
-    b->count[at] = (uint8_t)k[0].bytes;
-    b->count[at + 1] = (uint8_t)k[1].bytes;
-    b->at.x[at] = k[0].columns.x1;
-    b->at.x[at + 1] = k[1].columns.x0;
-    p->to = put_side(&k[1], put_side(&k[0], p->to));
-    return true;
+    int32_t u0, u1;
+    const struct pel_span c0 = columns_of(&k[0], &u0);
+    const struct pel_span c1 = columns_of(&k[1], &u1);
+    const int32_t n0 = bytes_of(&c0, seen), n1 = bytes_of(&c1, seen);
+    if (c0.x0 < x || c1.x0 < c0.x1 ||
+        n0 + n1 > b->coverage + PEL_SMOOTH_BATCH_BYTES - p->to)
+        return INT32_MIN;
+    const int32_t i = 2 * b->n++;
+    b->count[i] = (uint8_t)n0;
+    b->count[i + 1] = (uint8_t)n1;
+    b->at.x[i] = c0.x1;
+    b->at.x[i + 1] = c1.x0;
+    p->to = put_side(&k[1], u1, n1, put_side(&k[0], u0, n0, p->to));
+    return c1.x1;
 }
 
 /* Adds a row, if its sides are apart and there is room. */
 static bool add_row(struct rows *r, struct sides *s)
 {
-    if (!put_pair(&r->pair[0], &s->side[0], s->seen, INT32_MIN))
+    const int32_t x =
+        put_pair(&r->pair[0], &s->side[0], s->seen, INT32_MIN + 1);
+    if (x == INT32_MIN)
         return false;
-    if (s->n > 2 &&
-        !put_pair(&r->pair[1], &s->side[2], s->seen, s->side[1].columns.x1)) {
-        r->pair[0].batch.n--;
-        return false;
-    }
-    return true;
+    if (s->n == 2 || put_pair(&r->pair[1], &s->side[2], s->seen, x) > INT32_MIN)
+        return true;
+    r->pair[0].batch.n--;
+    return false;
 }
 
 /* Goes to row y. False: its sides are not whole. */
@@ -247,10 +254,13 @@ static PEL_NOINLINE_32 bool go_to(struct pel_smooth_outline *o, int32_t y,
 {
     if (s->row == y)
         return true;
-    if (y > o->alike)
-        o->alike = find_end(o, y);
-    const bool moves = s->row == y - 1 && y < o->alike;
+    if (y > pel_pixel_of(o->alike))
+        o->alike = pel_smooth_find_end(o, y);
+    const int32_t end = pel_pixel_of(o->alike);
+    const bool moves = s->row == y - 1 && y < end;
     s->row = INT32_MIN;
+    if (y == end && (o->alike & 255) > 0)
+        return false;
     if (!(moves ? move_sides(o, y, s) : find_sides(o, y, s)))
         return false;
     s->row = y;
@@ -261,7 +271,7 @@ static PEL_NOINLINE_32 bool go_to(struct pel_smooth_outline *o, int32_t y,
 static inline bool go_down(struct pel_smooth_outline *o, int32_t y,
                            struct sides *s)
 {
-    if (y >= o->alike)
+    if (y >= pel_pixel_of(o->alike))
         return go_to(o, y, s);
     s->row = move_sides(o, y, s) ? y : INT32_MIN;
     return s->row == y;
@@ -306,7 +316,6 @@ int32_t pel_smooth_whole_rows(struct pel_smooth_outline *o, int32_t y,
     struct rows r;
     struct sides s;
     int32_t rows = 0, n;
-    s.visitor.visit = place;
     s.seen = o->inside ? NULL : &o->seen;
     s.row = INT32_MIN;
     do {
