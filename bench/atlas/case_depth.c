@@ -1,8 +1,6 @@
 /* Which triangle is seen: painters and depth buffers against the nearest one at
  * every pixel centre, in double precision. */
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <pel/pel.h>

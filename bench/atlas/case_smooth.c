@@ -1,7 +1,6 @@
 /* Smooth edges against exact areas. */
 #define _DEFAULT_SOURCE
 #include <math.h>
-#include <stdlib.h>
 
 #include "../methods/smooth.h"
 #include "../timing.h"

@@ -3,7 +3,6 @@
  * 20, RST 21. Addresses + 0x2000 set bits, + 0x3000 clear them. After the
  * RP2040 data sheet: SIO 2.3.1.7, DMA 2.5.7, resets 2.14, pins 2.19.2, SPI 4.4.
  */
-#include <stdbool.h>
 #include <stdint.h>
 
 #define REGISTER(address) (*(volatile uint32_t *)(address))

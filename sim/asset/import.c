@@ -1,7 +1,6 @@
 /* pel import: makes assets for firmware, and pel2d files. */
 #include "sim/asset/import.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>

@@ -6,7 +6,6 @@
 
 #ifdef HAVE_EXPAT
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "sim/cli/list.h"

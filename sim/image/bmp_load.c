@@ -3,7 +3,6 @@
  * to 4 bytes. */
 #include "sim/image/decode.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/format/word.h"

@@ -1,6 +1,5 @@
 #include "sim/mesh/pel2d.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,6 @@
 /* What the commands of a script do to one pixel, and why. */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/raster/thick_line.h"

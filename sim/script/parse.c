@@ -1,5 +1,4 @@
 /* Reading scripts. */
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,6 @@
  * is turned, mirrored, skewed or out of place; what a file or a word says. */
 #include "tests/support/check.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

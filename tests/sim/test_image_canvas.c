@@ -1,6 +1,5 @@
 /* Canvases: bands of every height give the bytes of the whole, in every format.
  */
-#include <stdlib.h>
 #include <string.h>
 
 #include "tests/support/check.h"

@@ -3,7 +3,6 @@
 #include "tests/support/check.h"
 #include "tests/support/layouts.h"
 
-#include <stdio.h>
 #include <string.h>
 
 #include "drivers/panel_scroll.h"

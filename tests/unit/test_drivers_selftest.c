@@ -5,7 +5,6 @@
 #include "drivers/display_crc.h"
 #include "drivers/display_memory.h"
 #include "drivers/selftest.h"
-#include "tests/support/cases.h"
 #include "tests/support/check.h"
 #include "tests/support/layouts.h"
 

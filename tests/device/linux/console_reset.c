@@ -5,7 +5,6 @@
 #include <errno.h>
 #include <linux/kd.h>
 #include <linux/vt.h>
-#include <stdarg.h>
 #include <string.h>
 #include <sys/types.h>
 #include <termios.h>

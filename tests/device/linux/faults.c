@@ -10,7 +10,6 @@
 #include <linux/kd.h>
 #include <linux/vt.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
 #include <sys/wait.h>

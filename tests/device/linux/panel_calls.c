@@ -8,8 +8,6 @@
 #include <linux/i2c.h>
 #include <linux/spi/spidev.h>
 #include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
