@@ -91,49 +91,6 @@ static void draw_polygon(const struct pel_surface *surface,
         abort();
 }
 
-void any_draw(const struct pel_surface *surface, const struct any_shape *s,
-              const struct pel_paint *paint)
-{
-    switch (s->kind) {
-    case ANY_TRIANGLE:
-        pel_triangle(surface, s->v, paint);
-        break;
-    case ANY_RECTANGLE:
-        pel_rectangle(surface, s->v[0], s->v[1], paint);
-        break;
-    case ANY_POLYGON:
-        draw_polygon(surface, s, paint);
-        break;
-    case ANY_CIRCLE:
-        pel_circle(surface, s->v[0], s->radius, paint);
-        break;
-    case ANY_ELLIPSE:
-        pel_ellipse(surface, ELLIPSE(s), paint);
-        break;
-    case ANY_ROUNDED_RECTANGLE:
-        pel_rounded_rectangle(surface, ROUNDED(s), paint);
-        break;
-    case ANY_RING:
-        pel_ring(surface, RING(s), paint);
-        break;
-    case ANY_SECTOR:
-        pel_sector(surface, SECTOR(s), paint);
-        break;
-    case ANY_ARC:
-        pel_arc(surface, ARC(s), paint);
-        break;
-    case ANY_LINE:
-        pel_line(surface, s->v[0], s->v[1], paint);
-        break;
-    case ANY_PATH:
-    case ANY_STROKE:
-        draw_path(surface, s, paint, false);
-        break;
-    default:
-        pel_thick_line(surface, THICK(s), paint);
-    }
-}
-
 /* On surfaces of any width: in parts. */
 static void smooth_polygon(const struct pel_surface *surface,
                            const struct any_shape *s,
@@ -151,55 +108,69 @@ static void smooth_polygon(const struct pel_surface *surface,
     }
 }
 
-bool any_draw_smooth(const struct pel_surface *surface,
-                     const struct any_shape *s, const struct pel_paint *paint)
+#define FILL(name) (smooth ? pel_smooth_##name : pel_##name)
+
+/* False: the kind has no smooth edges. */
+static bool draw(const struct pel_surface *surface, const struct any_shape *s,
+                 const struct pel_paint *paint, bool smooth)
 {
     switch (s->kind) {
     case ANY_TRIANGLE:
-        pel_smooth_triangle(surface, s->v, paint);
-        return true;
-    case ANY_CIRCLE:
-        pel_smooth_circle(surface, s->v[0], s->radius, paint);
-        return true;
-    case ANY_ELLIPSE:
-        pel_smooth_ellipse(surface, ELLIPSE(s), paint);
-        return true;
-    case ANY_SECTOR:
-        pel_smooth_sector(surface, SECTOR(s), paint);
-        return true;
-    case ANY_ARC:
-        if (s->n % 2)
-            pel_smooth_arc_round(surface, ARC(s), paint);
-        else
-            pel_smooth_arc(surface, ARC(s), paint);
-        return true;
-    case ANY_ROUNDED_RECTANGLE:
-        pel_smooth_rounded_rectangle(surface, ROUNDED(s), paint);
-        return true;
-    case ANY_RING:
-        pel_smooth_ring(surface, RING(s), paint);
-        return true;
+        FILL(triangle)(surface, s->v, paint);
+        break;
     case ANY_RECTANGLE:
-        pel_smooth_rectangle(surface, s->v[0], s->v[1], paint);
-        return true;
+        FILL(rectangle)(surface, s->v[0], s->v[1], paint);
+        break;
     case ANY_POLYGON:
-        smooth_polygon(surface, s, paint);
-        return true;
-    case ANY_THICK_LINE:
-        if (s->n % 3 == 0)
-            pel_smooth_thick_line(surface, THICK(s), paint);
-        else if (s->n % 3 == 1)
-            pel_smooth_thick_line_square(surface, THICK(s), paint);
-        else
-            pel_smooth_thick_line_round(surface, THICK(s), paint);
-        return true;
+        (smooth ? smooth_polygon : draw_polygon)(surface, s, paint);
+        break;
+    case ANY_CIRCLE:
+        FILL(circle)(surface, s->v[0], s->radius, paint);
+        break;
+    case ANY_ELLIPSE:
+        FILL(ellipse)(surface, ELLIPSE(s), paint);
+        break;
+    case ANY_ROUNDED_RECTANGLE:
+        FILL(rounded_rectangle)(surface, ROUNDED(s), paint);
+        break;
+    case ANY_RING:
+        FILL(ring)(surface, RING(s), paint);
+        break;
+    case ANY_SECTOR:
+        FILL(sector)(surface, SECTOR(s), paint);
+        break;
+    case ANY_ARC:
+        (smooth && s->n % 2 ? pel_smooth_arc_round : FILL(arc))(surface, ARC(s),
+                                                                paint);
+        break;
+    case ANY_LINE:
+        if (!smooth)
+            pel_line(surface, s->v[0], s->v[1], paint);
+        return !smooth;
     case ANY_PATH:
     case ANY_STROKE:
-        draw_path(surface, s, paint, true);
-        return true;
+        draw_path(surface, s, paint, smooth);
+        break;
     default:
-        return false;
+        (!smooth         ? pel_thick_line
+         : s->n % 3 == 0 ? pel_smooth_thick_line
+         : s->n % 3 == 1
+             ? pel_smooth_thick_line_square
+             : pel_smooth_thick_line_round)(surface, THICK(s), paint);
     }
+    return true;
+}
+
+void any_draw(const struct pel_surface *surface, const struct any_shape *s,
+              const struct pel_paint *paint)
+{
+    draw(surface, s, paint, false);
+}
+
+bool any_draw_smooth(const struct pel_surface *surface,
+                     const struct any_shape *s, const struct pel_paint *paint)
+{
+    return draw(surface, s, paint, true);
 }
 
 static bool hit_path(const struct any_shape *s, int32_t x, int32_t y)
