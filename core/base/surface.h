@@ -54,7 +54,7 @@ enum pel_status pel_surface_init_rect(struct pel_surface *surface,
 bool pel_bounds_legal(const struct pel_rect *bounds);
 
 /* Sets the clip to the part of `clip` inside the bounds. Any rectangle will do;
- * when nothing is left of it, one at the bounds' corner with no pixel. */
+ * where nothing is left the clip is empty, at the corner of the bounds. */
 void pel_surface_clip(struct pel_surface *surface, const struct pel_rect *clip);
 
 /* The address of pixel (bounds.x0, y); not for mono1_pages. */

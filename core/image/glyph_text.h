@@ -40,10 +40,11 @@ void pel_text_until(const struct pel_surface *surface,
 /* Paints the text. Glyphs stand in boxes `advance` wide, closer or further
  * apart by the font's pairs, and ascent + descent high; the pen starts at x
  * with the baseline `ascent` below y. A line feed goes back to x and down by a
- * line. Characters that the font lacks are those of the next one in its chain,
- * on the same baseline, or show its own `missing` glyph. Marks that combine
- * have an advance of 0 and stand on what was before them; text is not turned
- * round for scripts that go from right to left, nor are its letters joined.
+ * line. A character that the font lacks is taken from the next font of its
+ * chain that has it, on the same baseline; where none has, the font shows its
+ * `missing` glyph. Combining marks have an advance of 0 and stand on the
+ * character before them. Letters are not joined, and text is not reordered for
+ * scripts that are written from right to left.
  * Each glyph is a shape of its own: where two overlap, which takes a font whose
  * glyphs reach beyond their boxes, both are painted. x or y out of range is a
  * broken contract: PEL_ASSERT, and nothing is drawn. For strings up to 2^22
@@ -55,16 +56,16 @@ static inline void pel_text(const struct pel_surface *surface,
     pel_text_until(surface, text, NULL, paint);
 }
 
-/* The same with a square of scale x scale px for each pixel, 1 to 1,024, of a
- * font of one bit, and so are those that come after it: smooth ones are
- * imported at the size that is wanted. Its size is that of pel_text_measure
- * times scale. */
+/* The same with a square of scale x scale px for each pixel; scale is 1 to
+ * 1,024. All fonts of the chain have one bit a pixel: smooth ones are imported
+ * at the size that is wanted. The text is `scale` times as large as
+ * pel_text_measure says. */
 void pel_text_scaled(const struct pel_surface *surface,
                      const struct pel_text_block *text, int32_t scale,
                      const struct pel_paint *paint);
 
-/* The size of all boxes: the widest line, and all lines, of which a string has
- * one more than line feeds. For strings up to 2^22 bytes. */
+/* The size of all boxes: as wide as the widest line, as high as all lines, one
+ * more than there are line feeds. For strings up to 2^22 bytes. */
 struct pel_text_size pel_text_measure(const struct pel_font_asset *font,
                                       const char *string);
 
@@ -88,7 +89,7 @@ static inline int32_t pel_glyph_kerning(const struct pel_font_asset *font,
 const struct pel_font_glyph *pel_glyph_find(const struct pel_font_asset **font,
                                             uint32_t code);
 
-/* How many characters of a text no font of the chain has. */
+/* The number of characters of a text that no font of the chain has. */
 uint32_t pel_text_missing(const struct pel_font_asset *font,
                           const char *string);
 PEL_END_DECLS

@@ -54,13 +54,13 @@ struct pel_rect pel_icon_box(const struct pel_icon_shape *shape);
 
 /* Draws the parts one over the other, each as pel_path_fill, pel_path_stroke or
  * the smooth functions of the same names do; no row of pixels is wider than
- * pel_icon_box. A gradient shows at the centre of each pixel, d axes from the
- * origin of its frame, whose points are rounded to 1/256 px, the color of a
- * place that is less than 3 + d 4,096ths off, within 2 steps; beyond 8 axes a
- * radial one is as there. Errors are those of the first part that has one, and
- * the icon ends there; and PEL_ERROR_NULL, PEL_ERROR_SCRATCH (not aligned to 8,
- * or too small), PEL_ERROR_FORMAT: a kind without strokes for an icon that has
- * some. */
+ * pel_icon_box. A gradient shows at the centre of each pixel the color of its
+ * place, within 2 steps of 255. The place is less than 3 + d 4,096ths of the
+ * way off, d being how many axes it is from the origin of the frame, whose
+ * points are rounded to 1/256 px; beyond 8 axes a radial one stays as it is
+ * there. Errors are those of the first part that has one, and the icon ends
+ * there; and PEL_ERROR_NULL, PEL_ERROR_SCRATCH (not aligned to 8, or too
+ * small), PEL_ERROR_FORMAT: the icon has strokes, and its kind draws none. */
 enum pel_status pel_icon(const struct pel_surface *surface,
                          const struct pel_icon_shape *shape, void *scratch,
                          size_t size);

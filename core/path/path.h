@@ -37,8 +37,8 @@ enum pel_verb {
                   no PEL_MOVE follows, begins there */
 };
 
-/* The first verb is PEL_MOVE. Of the two lists of points, x and y in turn, one
- * is there and the other NULL. */
+/* The first verb is PEL_MOVE. The points, x and y in turn, are in one of the
+ * two lists; the other one is NULL. */
 struct pel_path {
     const uint8_t *verbs;    /* enum pel_verb */
     const int16_t *points16; /* units of the path */
@@ -75,12 +75,12 @@ struct pel_polyline_shape {
     struct pel_stroke stroke;
 };
 
-/* Bytes of scratch memory, aligned to 8, for constant expressions. A shape is
- * drawn in as many rows at a time as have room there; memory for all rows at
- * once saves time, as the path is walked once for each lot. One row needs: of a
- * fill so many sides in a row of pixels, two or more for each part of the
- * outline that goes through it; of a stroke nothing but so many pixels, the
- * width of the clip. */
+/* Bytes of scratch memory, which is aligned to 8; for constant expressions. A
+ * shape is drawn as many rows at a time as have room there, and its path is
+ * walked once for each such lot, so more memory takes less time. At least one
+ * row has to fit: of a fill `sides` are those that go through a row of pixels,
+ * two or more for each part of the outline; of a stroke `width` is that of the
+ * clip, px. */
 #define PEL_PATH_SCRATCH_SIZE(sides) \
     (PEL_POLYGON_SCRATCH_SIZE(sides) + 54 * sizeof(void *))
 #define PEL_STROKE_SCRATCH_SIZE(width, rows)                                  \

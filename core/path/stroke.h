@@ -20,9 +20,9 @@ extern const struct pel_dash_kind pel_dashed;
 
 struct pel_dashes {
     const struct pel_dash_kind *kind; /* &pel_dashed */
-    const int32_t *length; /* of a dash, a gap, a dash ..., 1/256 px; they begin
-                              anew where they end. Together, twice if their
-                              number is odd, 1 to 32,767 px. */
+    const int32_t *length; /* of a dash, a gap, a dash ..., 1/256 px, again and
+                              again. Their sum, twice that if their number is
+                              odd, is 1 to 32,767 px. */
     int32_t count;         /* 1 to 64 */
     int32_t phase;         /* how far in them a part of a path begins, 1/256 px:
                               0 to PEL_PX(32767) */
@@ -30,10 +30,10 @@ struct pel_dashes {
 
 /* A stroke covers what lies within half of its width, rounded down to 1/256 px,
  * beside each line, and its joins and caps. It is exact but for this: corners
- * of the border are rounded to the nearest 1/256 px, so where lines are level
- * or upright nothing is; round ones are polygons within 1/96 px and 1/8,192 of
- * the radius of the circle; a curve is its lines, within the tolerance, and
- * joins between those are as between others.
+ * of the border are rounded to the nearest 1/256 px, which changes nothing
+ * where lines are level or upright; round ones are polygons within 1/96 px and
+ * 1/8,192 of the radius of the circle; a curve is its lines, within the
+ * tolerance, and joins between those are as between others.
  *
  * A part of a path without length is a disc with round caps, an upright square
  * with square ones, else nothing; so is a polyline of one point, but a PEL_MOVE
