@@ -66,11 +66,10 @@ extern const struct pel_panel_chip pel_panel_st7796;  /* 320x480 (MSP4021) */
 extern const struct pel_panel_chip pel_panel_gc9a01;  /* 240x240, round */
 extern const struct pel_panel_chip pel_panel_ssd1351; /* 128x128, OLED */
 
-/* ST7735R and S by their memory, which pins of the chip decide. Modules of
- * 128x160 with a green tab and of 80x160 have all of it, those with a black tab
- * 128x160 and 24 columns beside 80x160; of their pictures 2 columns and a row
- * are beside the glass where it is the other one. Modules of 128x128 have
- * 132x132. */
+/* ST7735R and S by their memory, which pins of the chip decide. Modules with a
+ * green tab have all of it, also those of 80x160; those with a black tab have
+ * 128x160, where glass of 80x160 begins at column 24; those of 128x128 have
+ * 132x132. If the picture is 2 columns and a row aside, it is the other one. */
 extern const struct pel_panel_chip pel_panel_st7735; /* 132x162 */
 extern const struct pel_panel_chip pel_panel_st7735_128x160;
 extern const struct pel_panel_chip pel_panel_st7735_132x132;
