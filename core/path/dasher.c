@@ -1,5 +1,4 @@
 /* The pen that cuts lines into dashes, before that of the stroke. */
-#include "../base/divide.h"
 #include "../base/sqrt.h"
 #include "stroker.h"
 
@@ -70,15 +69,6 @@ static PEL_NOINLINE_32 int32_t distance(const struct pel_point *a,
     return (int32_t)root.root;
 }
 
-/* round(v along / length), where |v| UNIT and along are at most the length. */
-static int32_t part_of(int32_t v, int32_t along, int32_t length)
-{
-    const uint64_t n = (uint64_t)pel_long_product(pel_magnitude(v), along);
-    const int32_t part =
-        (int32_t)pel_divide(n + (uint32_t)length / 2, (uint32_t)length);
-    return v < 0 ? -part : part;
-}
-
 static bool is_seen(const struct dasher *d, const struct pel_point *p)
 {
     return pel_max(d->at.y, p->y) >= d->stroker.pen.top &&
@@ -88,8 +78,8 @@ static bool is_seen(const struct dasher *d, const struct pel_point *p)
 /* Sets the end that is so far along the line to p. */
 static PEL_NOINLINE_32 void set_cut(struct dasher *d, const struct pel_point *p)
 {
-    d->cut.x = d->at.x + part_of(p->x - d->at.x, d->along, d->length);
-    d->cut.y = d->at.y + part_of(p->y - d->at.y, d->along, d->length);
+    d->cut.x = d->at.x + pel_stroke_part(p->x - d->at.x, d->along, d->length);
+    d->cut.y = d->at.y + pel_stroke_part(p->y - d->at.y, d->along, d->length);
 }
 
 /* Every dash and gap that ends on the line to p. */

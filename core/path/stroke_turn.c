@@ -71,18 +71,16 @@ static void arc(struct pel_stroker *s, uint32_t i, uint32_t to)
     }
 }
 
-/* round(half v / k), v half of the sum of two directions, 2^29 at most, and k
- * 2^28 times 1 + cos of the turn between them, 2^21 at least: half v is 2^51 at
- * most. */
-static int32_t meet(int32_t v, int32_t half, int32_t k)
+int32_t pel_stroke_part(int32_t v, int32_t a, int32_t b)
 {
-    const uint64_t n = (uint64_t)pel_product(pel_magnitude(v), half);
-    const int32_t at = (int32_t)pel_divide(n + (uint32_t)k / 2, (uint32_t)k);
-    return v < 0 ? -at : at;
+    const uint64_t n = (uint64_t)pel_product(pel_magnitude(v), a);
+    const int32_t part = (int32_t)pel_divide(n + (uint32_t)b / 2, (uint32_t)b);
+    return v < 0 ? -part : part;
 }
 
 /* To where the sides meet, if that is within the limit l: 1 / cos(turn / 2)
- * <= l, and 2 cos(turn / 2)^2 = 1 + cos(turn). */
+ * <= l, and 2 cos(turn / 2)^2 = 1 + cos(turn). Half of the sum of two
+ * directions is 2^29 at most, k 2^21 at least. */
 static PEL_NOINLINE_32 void miter(struct pel_stroker *s)
 {
     const struct pel_stroke_line *const m = s->from, *const n = s->to;
@@ -91,8 +89,9 @@ static PEL_NOINLINE_32 void miter(struct pel_stroker *s)
     const int32_t k = (1 << 28) + (int32_t)cos;
     if (pel_product(s->limit * s->limit, k) < INT64_C(1) << 45)
         return;
-    pel_border_to(s, s->side * meet((m->u.y + n->u.y) / 2, s->half, k),
-                  -s->side * meet((m->u.x + n->u.x) / 2, s->half, k));
+    pel_border_to(
+        s, s->side * pel_stroke_part((m->u.y + n->u.y) / 2, s->half, k),
+        -s->side * pel_stroke_part((m->u.x + n->u.x) / 2, s->half, k));
 }
 
 void pel_border_beside(struct pel_stroker *s,

@@ -91,6 +91,9 @@ void pel_stroke_begin(struct pel_stroker *s);
 void pel_stroke_end(struct pel_stroker *s);
 void pel_stroke_dot(struct pel_stroker *s);
 
+/* round(v a / b), away from 0 at a tie: |v| and a below 2^30, b above 0. */
+int32_t pel_stroke_part(int32_t v, int32_t a, int32_t b);
+
 /* Of the circle, of which the strokes that have it have lines. */
 uint32_t pel_stroke_corner(struct pel_point direction, int circle);
 
