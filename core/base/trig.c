@@ -14,8 +14,10 @@
 static PEL_ALWAYS_INLINE uint32_t polynomial(uint32_t z, const uint32_t c[4])
 {
     uint32_t v = c[3];
-    for (int i = 2; i >= 0; i--)
-        v = c[i] - (uint32_t)(pel_multiply(z, v) >> 26);
+    for (int i = 2; i >= 0; i--) {
+        const uint64_t product = pel_multiply(z, v);
+        v = c[i] - (uint32_t)(product >> 26); /* read behind the call */
+    }
     return v;
 }
 

@@ -15,74 +15,95 @@
 #include "gradient.h"
 
 /* Rows of a batch: one where code is to be small, and at most 32: then errors
- * of 32 bits do for all rows but the first. */
+ * of 32 bits do for all rows but the first. Where stack is short,
+ * five bits. */
+enum { PEL_CELL_ROWS_MOST = PEL_AT_A_TIME(32, 31) };
 enum {
-    PEL_CELL_ROWS = PEL_SMALL_CODE        ? 1
-                    : PEL_BATCH_ROWS < 32 ? PEL_BATCH_ROWS
-                                          : 32
+    PEL_CELL_ROWS = PEL_SMALL_CODE                        ? 1
+                    : PEL_BATCH_ROWS < PEL_CELL_ROWS_MOST ? PEL_BATCH_ROWS
+                                                          : PEL_CELL_ROWS_MOST
 };
 
-/* Where stack is short members are, too. How a cell is drawn: by the format's
- * fill when it is opaque, else by its blend. */
+/* Where stack is short members are, too, and more so where registers are few.
+ * How a cell is drawn: by the format's fill when it is opaque, else by its
+ * blend. */
 #if PEL_SHORT_STACK
 typedef uint16_t pel_cell_index;
 typedef int8_t pel_cell_direction;
-typedef pel_dividend pel_cell_error;
 typedef bool pel_cell_draw;
-#define PEL_CELL_FLAG(name) bool name : 1
+#define PEL_CELL_BIT : 1
 #else
 typedef int32_t pel_cell_index, pel_cell_direction;
-typedef int64_t pel_cell_error;
 typedef void (*pel_cell_draw)(const struct pel_spans *spans, uint32_t value);
-#define PEL_CELL_FLAG(name) bool name
+#define PEL_CELL_BIT
 #endif
+#if PEL_SHORT_STACK && PEL_FEW_REGISTERS
+typedef unsigned pel_cell_most;
+typedef uint16_t pel_cell_rest;
+#define PEL_CELL_BITS(n) : n
+#else
+typedef uint8_t pel_cell_most;
+typedef int32_t pel_cell_rest;
+#define PEL_CELL_BITS(n)
+#endif
+typedef pel_dividend pel_cell_error;
 
 /* A batch of rows among the cells. A cell's index is its number
  * from 0 on, and below the period. */
 struct pel_cells {
     pel_cell_error error; /* of the boundary where the present cell ends, */
-    int32_t x;            /* at this pixel of the first row */
+    struct pel_span at;   /* at pixel at.x1 of the first row; of one row the run
+                             itself, where stack is short or code small */
     int32_t hi;           /* runs end here at the farthest */
 
-    /* The next cell: its pixel value, or its color where that is not opaque;
-     * its index; and the direction to the one behind it: 1, -1; 0: none comes.
+#if !PEL_SMALL_CODE
+    const struct pel_span *span; /* the shape's, of these rows */
+    bool box PEL_CELL_BIT;       /* they are all alike */
+    bool mixed PEL_CELL_BIT;     /* opaque, of two: pel_cells_pass_mixed */
+    pel_cell_draw present PEL_CELL_BITS(1); /* how the present one is drawn */
+    pel_cell_most most PEL_CELL_BITS(5); /* rows of a batch; 0: one, and hi is
+                                            the next pixel */
+    uint8_t left;                        /* spans from `span` on */
+#endif
+
+    /* The next cell: its index; the direction to the one behind it: 1, -1; 0:
+     * none comes; and its pixel value, or its color where that is not opaque.
      */
-    uint32_t value;
     pel_cell_index index;
     pel_cell_direction direction;
     pel_cell_draw draw;
-#if !PEL_SMALL_CODE
-    uint8_t most;       /* rows of a batch; 0: one, and hi is the next pixel */
-    uint8_t left;       /* spans from `span` on */
-    PEL_CELL_FLAG(box); /* the spans of these rows are all alike */
-    PEL_CELL_FLAG(mixed); /* opaque cells of two colors: pel_cells_pass_mixed */
-    pel_cell_draw present;       /* how the present cell is drawn */
-    const struct pel_span *span; /* the shape's, of these rows */
-#endif
 
+    /* Of a radial gradient the radius where the present cell begins, of a conic
+     * one the angle, rounded down, and what that drops. Of a linear one, whole:
+     * what units leave of the error. */
+    pel_cell_rest remainder;
+    int32_t whole;
+
+    uint32_t value;
     const struct pel_gradient *gradient;
     struct pel_spans cell; /* the present cell's runs: pel_cells_run */
 
-    /* Of a radial gradient the radius where the present cell begins, of a conic
-     * one the angle, rounded down. */
-    int32_t whole;
-    int32_t remainder; /* of the radius or angle, or of a linear one's error */
-
-#if !PEL_SHORT_STACK
+#if !PEL_SHORT_STACK && !PEL_SMALL_CODE
     int32_t end;    /* px: where all of them have ended */
     pel_color mask; /* of mixed colors what can be seen; 0: ask the format */
     struct pel_span run[PEL_CELL_ROWS];
 #endif
 };
 
-/* The run of the present cell in every row. Where stack is short their memory
- * lies apart: few rows take less of it. */
-#if PEL_SHORT_STACK
+/* The run of the present cell in every row. Where stack is short the memory of
+ * more than one lies apart: few rows take less of it. */
 static inline struct pel_span *pel_cells_run(struct pel_cells *c)
 {
+#if PEL_SMALL_CODE
+    return &c->at;
+#elif PEL_SHORT_STACK
     return (struct pel_span *)(uintptr_t)c->cell.span;
+#else
+    return c->run;
+#endif
 }
 
+#if PEL_SHORT_STACK
 static inline pel_cell_draw pel_cells_draw_of(const struct pel_format *format,
                                               bool opaque)
 {
@@ -90,11 +111,6 @@ static inline pel_cell_draw pel_cells_draw_of(const struct pel_format *format,
     return opaque;
 }
 #else
-static inline struct pel_span *pel_cells_run(struct pel_cells *c)
-{
-    return c->run;
-}
-
 static inline pel_cell_draw pel_cells_draw_of(const struct pel_format *format,
                                               bool opaque)
 {
@@ -230,7 +246,8 @@ static PEL_ALWAYS_INLINE int32_t pel_cells_pass_here(struct pel_cells *c,
             count += pel_cells_pass_mixed(c);
         if (count++ >= c->gradient->period || !pel_cells_more(c))
             return 0;
-    } while (c->value == value && c->draw == draw && count < most);
+    } while (c->value == value &&
+             c->draw == (PEL_SHORT_STACK ? c->present : draw) && count < most);
     return count;
 }
 #endif
@@ -241,14 +258,16 @@ static PEL_ALWAYS_INLINE int32_t pel_cells_pass_here(struct pel_cells *c,
 bool pel_cells_end(struct pel_cells *c, int32_t step, int32_t row,
                    int32_t bend);
 
-/* Ends all runs at hi: an error below 0 that never grows. No pixel is left. */
+/* Ends all runs at hi, by a step that no error reaches: no pixel is left. */
+enum { PEL_CELL_ALL = 0x7FFFFFFF };
+
 static inline bool pel_cells_end_all(struct pel_cells *c)
 {
-    c->x = c->hi;
-    if (PEL_CELL_ROWS == 1)
+    if (PEL_CELL_ROWS == 1) {
+        c->at.x1 = c->hi;
         return false;
-    c->error = -1;
-    return pel_cells_end(c, 0, 0, 0);
+    }
+    return pel_cells_end(c, PEL_CELL_ALL, 0, 0);
 }
 
 /* Moves by `count` >= 1 cells, each `width` and part / n wide. */
@@ -257,14 +276,16 @@ static PEL_ALWAYS_INLINE void pel_cells_move(struct pel_cells *c, int32_t count,
                                              int32_t n)
 {
     const int32_t direction = c->direction;
+    int32_t remainder = c->remainder;
     do {
         c->whole += direction * width;
-        c->remainder += direction * part;
-        if ((uint32_t)c->remainder >= (uint32_t)n) {
-            c->remainder -= direction * n;
+        remainder += direction * part;
+        if ((uint32_t)remainder >= (uint32_t)n) {
+            remainder -= direction * n;
             c->whole += direction;
         }
     } while (--count);
+    c->remainder = (pel_cell_rest)remainder;
 }
 
 #endif

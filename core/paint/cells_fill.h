@@ -39,15 +39,14 @@ static PEL_ALWAYS_INLINE void pel_cells_draw(
 #endif
             more = count ? end(c, count) : pel_cells_end_all(c);
         } else {
-            pel_cells_run(c)->x0 = c->x;
+            c->at.x0 = c->at.x1;
             do
                 (void)(pel_cells_more(c) ? end(c, 1) : pel_cells_end_all(c));
-            while (--left && c->x < c->hi && c->value == value &&
+            while (--left && c->at.x1 < c->hi && c->value == value &&
                    c->draw == draw);
-            pel_cells_run(c)->x1 = c->x;
         }
         pel_cells_paint(&c->cell, value, draw);
-    } while (PEL_CELL_ROWS > 1 ? more : left && c->x < c->hi);
+    } while (PEL_CELL_ROWS > 1 ? more : left && c->at.x1 < c->hi);
 }
 
 /* Fills spans of narrow cells pixel by pixel: `start` begins a walk along a
@@ -61,10 +60,11 @@ static PEL_ALWAYS_INLINE void pel_cells_put(
     pel_color out[COLORS];
     const struct pel_span *span = spans->span;
     int32_t y = spans->y;
-    for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step) {
-        if (span->x0 < span->x1)
-            start(walk, span->x0, y);
-        for (int32_t x = span->x0, n; x < span->x1; x += n) {
+    for (; span < spans->span + spans->n; span++, y += spans->step) {
+        int32_t x = span->x0;
+        if (x < span->x1)
+            start(walk, x, y);
+        for (int32_t n; x < span->x1; x += n) {
             n = pel_min(span->x1 - x, COLORS);
             colors(walk, n, out);
             pel_put_colors(spans->surface, x, y, n, out);
@@ -73,8 +73,8 @@ static PEL_ALWAYS_INLINE void pel_cells_put(
 }
 
 /* Before pel_cells_fill. `most` rows are filled at a time, whose runs have
- * their memory at `run` where stack is short; 0: one row, and every pixel looks
- * for its cell, as cells are narrow. */
+ * their memory at `run` where stack is short (NULL: of one row); 0: one row,
+ * and every pixel looks for its cell, as cells are narrow. */
 static PEL_ALWAYS_INLINE void pel_cells_begin(struct pel_cells *c,
                                               const struct pel_paint *paint,
                                               const struct pel_spans *spans,
@@ -83,7 +83,7 @@ static PEL_ALWAYS_INLINE void pel_cells_begin(struct pel_cells *c,
 {
     if (PEL_CELL_ROWS > 1) {
         pel_cells_open(c, (const void *)paint, spans, most);
-        c->cell.span = PEL_SHORT_STACK ? run : pel_cells_run(c);
+        c->cell.span = !PEL_SHORT_STACK ? pel_cells_run(c) : run ? run : &c->at;
     } else {
         c->gradient = (const void *)paint;
         c->cell = (struct pel_spans){spans->surface, pel_cells_run(c), spans->y,
@@ -104,14 +104,14 @@ static PEL_ALWAYS_INLINE void pel_cells_fill(
         while (pel_cells_next(c)) {
             start(c);
             pel_cells_draw(c, end);
-            c->x = c->hi;
+            c->at.x1 = c->hi;
         }
         return;
     }
     const struct pel_span *span = spans->span;
     const struct pel_span *const last = span + spans->n;
     for (; span < last; c->cell.y += c->cell.step, span++)
-        for (c->x = span->x0; c->x < span->x1;) {
+        for (c->at.x1 = span->x0; c->at.x1 < span->x1;) {
             c->hi = span->x1;
             start(c);
             pel_cells_draw(c, end);
@@ -124,11 +124,8 @@ typedef void pel_cells_filler(const struct pel_paint *paint,
                               const struct pel_spans *spans, int32_t most,
                               struct pel_span *run);
 
-/* Where stack is short: runs of PEL_ROWS - 1, PEL_ROWS and PEL_CELL_ROWS; or of
- * as many of the latter two as there are rows. */
-void pel_cells_fill_fewer(const struct pel_paint *paint,
-                          const struct pel_spans *spans, int32_t most,
-                          pel_cells_filler *fill);
+/* Where stack is short: runs of PEL_ROWS and PEL_CELL_ROWS; or of as many as
+ * there are rows, and none of one row. */
 void pel_cells_fill_few(const struct pel_paint *paint,
                         const struct pel_spans *spans, int32_t most,
                         pel_cells_filler *fill);
@@ -140,8 +137,12 @@ static inline void pel_cells_fill_apart(const struct pel_paint *paint,
                                         const struct pel_spans *spans,
                                         int32_t most, pel_cells_filler *fill)
 {
-    (spans->n > PEL_ROWS ? pel_cells_fill_many
-                         : pel_cells_fill_few)(paint, spans, most, fill);
+    if (spans->n == 1)
+        fill(paint, spans, most, NULL);
+    else if (spans->n > PEL_ROWS)
+        pel_cells_fill_many(paint, spans, most, fill);
+    else
+        pel_cells_fill_few(paint, spans, most, fill);
 }
 
 #endif

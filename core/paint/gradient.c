@@ -5,9 +5,8 @@ enum { FAR = 1 << 20 }; /* px: to the right of every pixel */
 int32_t pel_spans_hull(struct pel_span *hull, const struct pel_span *span,
                        int32_t n)
 {
-    static const struct pel_span none = {FAR, -FAR};
     int32_t pixels = 0;
-    *hull = none;
+    *hull = (struct pel_span){FAR, -FAR};
     for (; n > 0; n--, span++)
         if (span->x0 < span->x1) {
             hull->x0 = pel_min(hull->x0, span->x0);
@@ -86,6 +85,22 @@ static inline int32_t end_of(const struct pel_cells *c)
     return hull.x1;
 }
 
+void pel_cells_fill_few(const struct pel_paint *paint,
+                        const struct pel_spans *spans, int32_t most,
+                        pel_cells_filler *fill)
+{
+    struct pel_span run[PEL_ROWS];
+    fill(paint, spans, most, run);
+}
+
+void pel_cells_fill_many(const struct pel_paint *paint,
+                         const struct pel_spans *spans, int32_t most,
+                         pel_cells_filler *fill)
+{
+    struct pel_span run[PEL_CELL_ROWS];
+    fill(paint, spans, most, run);
+}
+
 #else
 
 static inline void keep(struct pel_cells *c, int32_t end, pel_color mask)
@@ -134,34 +149,41 @@ void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
     c->gradient = gradient;
     c->cell =
         (struct pel_spans){spans->surface, NULL, spans->y, 0, spans->step};
-    c->x = 0; /* no rows: the first batch is the next one */
+    c->at.x1 = 0; /* no rows: the first batch is the next one */
     c->span = spans->span;
     c->left = (uint8_t)spans->n;
-    c->most = (uint8_t)most;
+    c->most = (unsigned)most & (PEL_CELL_ROWS_MOST | 31);
     c->mixed = ramp->n == 2 && depth[1] &&
                pel_alpha(ramp->colors[0] & ramp->colors[1]) == 255;
     keep(c, 0, PEL_SHORT_STACK ? 0 : find_mask(spans->surface));
 }
 
+/* The next batch of rows; false where none comes. */
+static bool next_rows(struct pel_cells *c)
+{
+    const int32_t n = c->cell.n;
+    c->span += n;
+    c->cell.y += n * c->cell.step;
+    c->left = (uint8_t)(c->left - n);
+    c->cell.n = pel_min(c->left, pel_max(c->most, 1));
+    return c->cell.n > 0;
+}
+
 bool pel_cells_next(struct pel_cells *c)
 {
     struct pel_span hull = {0, end_of(c)};
-    while (c->x >= hull.x1) {
-        c->span += c->cell.n;
-        c->left = (uint8_t)(c->left - c->cell.n);
-        c->cell.y += c->cell.n * c->cell.step;
-        c->cell.n = pel_min(c->left, pel_max(c->most, 1));
-        if (c->cell.n == 0)
+    while (c->at.x1 >= hull.x1) {
+        if (!next_rows(c))
             return false;
         const int32_t pixels = pel_spans_hull(&hull, c->span, c->cell.n);
-        c->x = hull.x0;
+        c->at.x1 = hull.x0;
         keep(c, hull.x1, PEL_SHORT_STACK ? 0 : mask_of(c));
         c->box = pixels == c->cell.n * (hull.x1 - hull.x0);
     }
-    c->hi = c->most ? hull.x1 : c->x + 1;
+    c->hi = c->most ? hull.x1 : c->at.x1 + 1;
     struct pel_span *const run = pel_cells_run(c);
     for (int32_t i = 0; i < c->cell.n; i++)
-        run[i].x1 = pel_max(c->x, c->span[i].x0);
+        run[i].x1 = pel_max(c->at.x1, c->span[i].x0);
     return true;
 }
 
@@ -180,26 +202,23 @@ static int32_t cut(struct pel_cells *c)
     return sign;
 }
 
-/* From row to row: below 0 when pixels are left of a box. The error is not
- * taken for more than +-2^30: that is beyond 32 rows and every step. */
+/* From the first row, whose run has ended, to the others: below 0 when pixels
+ * are left of a box. The error is not taken for more than +-2^30: that is
+ * beyond 32 rows and every step. */
 static int32_t end_rows(struct pel_cells *c, int32_t step, int32_t row,
                         int32_t bend)
 {
     const int32_t hi = c->hi, most = 1 << 30;
     const int32_t row_bend = bend * c->cell.step;
-    int32_t x = c->x, sign = 0;
+    int32_t x = c->at.x1, sign = x - hi;
     int32_t error = c->error < -most  ? -most
                     : c->error > most ? most
                                       : (int32_t)c->error;
     row *= c->cell.step;
     step -= bend;
     struct pel_span *run = pel_cells_run(c);
-    for (int32_t left = c->cell.n;; run++) {
-        run->x0 = run->x1;
-        run->x1 = x;
-        sign |= x - hi;
-        if (--left == 0)
-            return sign;
+    for (int32_t left = c->cell.n; --left > 0;) {
+        run++;
         error += row;
         row += row_bend;
         if (error < 0 && x < hi)
@@ -209,11 +228,15 @@ static int32_t end_rows(struct pel_cells *c, int32_t step, int32_t row,
                 x++;
             } while (error < 0 && x < hi);
         else
-            for (; error >= step && x > run[1].x1; x--) {
+            for (; error >= step && x > run->x1; x--) {
                 error -= step;
                 step -= bend;
             }
+        run->x0 = run->x1;
+        run->x1 = x;
+        sign |= x - hi;
     }
+    return sign;
 }
 
 int32_t pel_cells_pass(struct pel_cells *c, int32_t most)
@@ -223,51 +246,28 @@ int32_t pel_cells_pass(struct pel_cells *c, int32_t most)
 
 #endif
 
-#if PEL_SHORT_STACK
-
-void pel_cells_fill_fewer(const struct pel_paint *paint,
-                          const struct pel_spans *spans, int32_t most,
-                          pel_cells_filler *fill)
-{
-    struct pel_span run[PEL_ROWS - 1];
-    fill(paint, spans, most, run);
-}
-
-void pel_cells_fill_few(const struct pel_paint *paint,
-                        const struct pel_spans *spans, int32_t most,
-                        pel_cells_filler *fill)
-{
-    struct pel_span run[PEL_ROWS];
-    fill(paint, spans, most, run);
-}
-
-void pel_cells_fill_many(const struct pel_paint *paint,
-                         const struct pel_spans *spans, int32_t most,
-                         pel_cells_filler *fill)
-{
-    struct pel_span run[PEL_CELL_ROWS];
-    fill(paint, spans, most, run);
-}
-
-#endif
-
 /* The first row by steps of 64 bits. */
 bool pel_cells_end(struct pel_cells *c, int32_t step, int32_t row, int32_t bend)
 {
     const int32_t hi = c->hi;
-    int32_t x = c->x;
+    int32_t x = c->at.x1;
     int64_t error = c->error;
+    if (PEL_CELL_ROWS > 1 && step == PEL_CELL_ALL)
+        x = hi;
     for (; error < 0 && x < hi; x++) {
         error += step;
         step += bend;
     }
-    c->x = x;
     c->error = error;
 #if !PEL_SMALL_CODE
+    struct pel_span *const run = pel_cells_run(c);
+    run->x0 = run->x1;
+    run->x1 = c->at.x1 = x;
     const int32_t sign = end_rows(c, step, row, bend);
     return (c->box ? sign : cut(c)) < 0;
 #else
     (void)row;
+    c->at.x1 = x;
     return x < hi;
 #endif
 }

@@ -21,12 +21,13 @@ static PEL_HOT int64_t along(const struct pel_linear *p, int32_t x, int32_t y)
  * a padded gradient it is above -2^47, and |d|^2 at most. Of others lengths of
  * two ways, there and back, are taken away or added until it is above 0, and 2
  * |d|^2 at most: below 2^50. */
-static PEL_UNUSED int64_t product_at(const struct pel_linear *p, int32_t x,
-                                     int32_t y, bool padded)
+static PEL_NOINLINE_32 PEL_UNUSED int64_t product_at(const struct pel_linear *p,
+                                                     int32_t x, int32_t y,
+                                                     enum pel_spread spread)
 {
     int64_t product = along(p, pel_pixel_center(x), pel_pixel_center(y));
     int64_t step = p->square;
-    if (padded)
+    if (spread == PEL_PAD)
         return product < step ? product : step;
     int32_t count = 0;
     for (; (uint32_t)(step >> 32) >> 17 == 0; count++)
@@ -40,8 +41,7 @@ static PEL_UNUSED int64_t product_at(const struct pel_linear *p, int32_t x,
 /* The error of the boundary where cell k begins is n product - k square, less 1
  * where the direction is turned: there boundaries belong to the cells before
  * them. Where it is walked in 32 bits, it is counted in units of 256 n, by
- * which n product grows from pixel to pixel, and what they leave, c->remainder.
- */
+ * which n product grows from pixel to pixel, and what they leave, c->whole. */
 static int32_t unit_of(const struct pel_linear *p)
 {
     return p->base.cells * 256;
@@ -54,18 +54,17 @@ static PEL_STEP_OR_INLINE void next_cells(struct pel_cells *c,
 {
     do {
         c->error -= p->cell;
-        c->remainder -= p->cell_remainder;
-        if (c->remainder < 0) {
-            c->remainder += unit_of(p);
+        c->whole -= p->cell_remainder;
+        if (c->whole < 0) {
+            c->whole += unit_of(p);
             c->error--;
         }
     } while (--count);
 }
 
 /* The cell k of a pixel by its product, bit by bit of n, so that the error
- * where it begins is 0 or more and below square: its index. Where the direction
- * is padded, before it is the first cell, behind it the last one. */
-static PEL_HOT_LOOP int32_t find_cell(const struct pel_linear *p, bool padded,
+ * where it begins, `remainder`, is 0 or more and below square. */
+static PEL_HOT_LOOP int32_t find_cell(const struct pel_linear *p,
                                       pel_cell_error *remainder)
 {
     const int64_t product = *remainder;
@@ -81,10 +80,18 @@ static PEL_HOT_LOOP int32_t find_cell(const struct pel_linear *p, bool padded,
             error -= p->square;
     }
     *remainder = error;
+    return (int32_t)bits;
+}
+
+/* Its index. Where the direction is padded, before it is the first cell, behind
+ * it the last one. */
+static PEL_HOT_LOOP int32_t index_of(const struct pel_linear *p,
+                                     enum pel_spread spread, int32_t k)
+{
     const int32_t n = p->base.cells, period = p->base.period;
-    int32_t index = mirror ? n - 1 - (int32_t)bits : (int32_t)bits;
+    int32_t index = p->direction < 0 ? n - 1 - k : k;
     while (index >= period)
-        index -= padded ? 1 : period;
+        index -= spread == PEL_PAD ? 1 : period;
     return index < 0 ? index + period : index;
 }
 
@@ -92,12 +99,12 @@ static PEL_ALWAYS_INLINE void set_cell_here(struct pel_cells *c,
                                             const struct pel_linear *p,
                                             int64_t product)
 {
-    c->direction = (pel_cell_direction)p->direction;
     c->error = product;
-    c->index = (pel_cell_index)find_cell(p, is_padded(p), &c->error);
+    const int32_t k = find_cell(p, &c->error);
+    c->index = (pel_cell_index)index_of(p, p->base.ramp.spread, k);
     if (PEL_CELL_ROWS > 1) {
         const int64_t units = pel_divide_64(&c->error, unit_of(p));
-        c->remainder = (int32_t)c->error;
+        c->whole = (int32_t)c->error;
         c->error = units;
     }
 }
@@ -106,6 +113,7 @@ static PEL_NOINLINE_32 PEL_UNUSED void set_cell(struct pel_cells *c,
                                                 const struct pel_linear *p,
                                                 int64_t product)
 {
+    c->direction = (pel_cell_direction)p->direction;
     set_cell_here(c, p, product);
 }
 

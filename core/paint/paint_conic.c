@@ -19,17 +19,17 @@ static PEL_NOINLINE_32 int64_t cross_of(const struct pel_cells *c,
                                         int32_t height)
 {
     const struct pel_conic *p = (const void *)c->gradient;
-    const int32_t u = pel_pixel_center(c->x) - p->center.x;
+    const int32_t u = pel_pixel_center(c->at.x1) - p->center.x;
     return pel_product(ray->x, height) - pel_product(ray->y, u);
 }
 
 /* Adds to c->whole up to the last angle that is not past the pixel in the first
- * column, at the height in c->remainder: bit by bit. */
+ * column, at the height in c->value: bit by bit. */
 static PEL_ALWAYS_INLINE void find_angle(struct pel_cells *c)
 {
     for (int32_t bit = HALF_TURN / 2; bit && c->direction; bit >>= 1) {
         const struct pel_point d = pel_direction((uint16_t)(c->whole + bit));
-        if (cross_of(c, &d, c->remainder) >= 0)
+        if (cross_of(c, &d, (int32_t)c->value) >= 0)
             c->whole += bit;
     }
 }
@@ -72,17 +72,20 @@ static PEL_NOINLINE_32 void first_row(struct pel_cells *c)
     const struct pel_conic *p = (const void *)c->gradient;
     const int32_t v = height_of(c);
     const int32_t split = pel_first_pixel(p->center.x);
-    const bool above = v < 0, left = c->x < split;
+    const bool above = v < 0, left = c->at.x1 < split;
     if (PEL_CELL_ROWS > 1 && c->cell.step && v <= 0)
         c->cell.n = pel_min(
             c->cell.n, above ? pel_first_pixel(p->center.y) - c->cell.y : 1);
     c->direction = (pel_cell_direction)((v < 0) - (v > 0));
-    c->whole = above || (v == 0 && left) ? HALF_TURN : 0;
-    if (v == 0 && left)
+    c->whole = above ? HALF_TURN : 0;
+    if (v == 0 && left) {
+        c->whole = HALF_TURN;
         c->hi = pel_min(c->hi, split);
-    c->remainder = v;
+    }
+    int32_t height = v;
     if (PEL_CELL_ROWS > 1 && v && above == left)
-        c->remainder += (c->cell.n - 1) * c->cell.step * 256;
+        height += (c->cell.n - 1) * c->cell.step * 256;
+    c->value = (uint32_t)height;
 }
 
 /* The cell of the angle: the last k that begins at or before `turn` from the
@@ -97,7 +100,7 @@ static PEL_NOINLINE_32 void set_cell(struct pel_cells *c)
     k = (k + (c->direction < 0)) << 16;
     const uint32_t begin = pel_divide(k, period);
     c->whole += (int32_t)(begin - turn);
-    c->remainder = (int32_t)(k - begin * period);
+    c->remainder = (pel_cell_rest)(k - begin * period);
 }
 
 static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
@@ -118,12 +121,10 @@ static PEL_STEP_OR_INLINE void fill_rows(const struct pel_paint *paint,
 
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
-    if (!PEL_SHORT_STACK)
+    if (PEL_SHORT_STACK)
+        pel_cells_fill_apart(paint, spans, PEL_CELL_ROWS, fill_rows);
+    else
         fill_rows(paint, spans, PEL_CELL_ROWS, NULL);
-    else if (spans->n > PEL_ROWS)
-        pel_cells_fill_many(paint, spans, PEL_CELL_ROWS, fill_rows);
-    else /* the ray takes the stack of a run */
-        pel_cells_fill_fewer(paint, spans, PEL_ROWS - 1, fill_rows);
 }
 
 static enum pel_status begin(struct pel_conic *paint, struct pel_point center,

@@ -13,10 +13,10 @@ static PEL_HOT bool end_cells(struct pel_cells *c, int32_t count)
     const struct pel_linear *p = (const void *)c->gradient;
     if (PEL_CELL_ROWS == 1) {
         int64_t error = c->error - p->square;
-        for (; error < 0 && c->x < c->hi; c->x++)
+        for (; error < 0 && c->at.x1 < c->hi; c->at.x1++)
             error += p->step;
         c->error = error;
-        return c->x < c->hi;
+        return c->at.x1 < c->hi;
     }
     next_cells(c, p, count);
     return pel_cells_end(c, p->d.x, p->d.y, 0);
@@ -29,32 +29,47 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
     const int32_t last =
         PEL_CELL_ROWS > 1 && p->d.y < 0 ? (c->cell.n - 1) * c->cell.step : 0;
     (PEL_SHORT_STACK ? set_cell_here : set_cell)(
-        c, p, product_at(p, c->x, c->cell.y + last, is_padded(p)));
+        c, p, product_at(p, c->at.x1, c->cell.y + last, p->base.ramp.spread));
     if (PEL_CELL_ROWS > 1)
         c->error -= pel_product(p->d.y, last);
 }
 
-/* A row of a vertical gradient has one color. Neighbouring rows of one pixel
- * value are drawn together: at most 8 cells a row are in sight. */
-static void level_fill(const struct pel_paint *paint,
-                       const struct pel_spans *spans)
+/* A row of a vertical gradient has one color. */
+static PEL_NOINLINE_32 pel_color level_color(const struct pel_linear *p,
+                                             int32_t y)
 {
-    const struct pel_linear *p = (const void *)paint;
+    pel_cell_error error = product_at(p, 0, y, p->base.ramp.spread);
+    const int32_t k = find_cell(p, &error);
+    return p->base.color(&p->base, index_of(p, p->base.ramp.spread, k));
+}
+
+static PEL_STEP_OR_INLINE void fill_level_rows(const struct pel_linear *p,
+                                               const struct pel_spans *spans)
+{
+    struct pel_spans row = *spans;
+    for (row.n = 1; row.span < spans->span + spans->n; row.span++) {
+        pel_fill_color(&row, level_color(p, row.y));
+        row.y += row.step;
+    }
+}
+
+/* Neighbouring rows of one pixel value are drawn together: at most 8 cells a
+ * row are in sight. */
+static PEL_STEP_OR_INLINE void fill_level_cells(const struct pel_linear *p,
+                                                const struct pel_spans *spans)
+{
     const int32_t growth = spans->step ? p->d.y : 0;
-    const bool narrow = growth > 8 * p->cell; /* to walk them takes longer */
     struct pel_cells c;
     struct pel_spans *const rows = &c.cell;
     pel_cells_open(&c, &p->base, spans, PEL_CELL_ROWS);
     rows->span = spans->span;
+    set_cell(&c, p, product_at(p, 0, rows->y, p->base.ramp.spread));
+    pel_cells_color(&c);
     for (int32_t left = spans->n; left > 0; left -= rows->n) {
-        if (left == spans->n || narrow) {
-            set_cell(&c, p, product_at(p, 0, rows->y, is_padded(p)));
-            pel_cells_color(&c);
-        }
         const uint32_t value = c.value;
         const pel_cell_draw draw = c.draw;
-        const int32_t count = narrow ? 0 : pel_cells_pass(&c, 8 * left);
-        rows->n = narrow ? 1 : left;
+        const int32_t count = pel_cells_pass(&c, 8 * left);
+        rows->n = left;
         if (count > 0) {
             next_cells(&c, p, count);
             for (rows->n = 0; c.error < 0 && rows->n < left; rows->n++)
@@ -67,6 +82,16 @@ static void level_fill(const struct pel_paint *paint,
     }
 }
 
+static void level_fill(const struct pel_paint *paint,
+                       const struct pel_spans *spans)
+{
+    const struct pel_linear *p = (const void *)paint;
+    if (spans->n == 1 || p->d.y > 8 * p->cell) /* to walk them takes longer */
+        fill_level_rows(p, spans);
+    else
+        fill_level_cells(p, spans);
+}
+
 /* A walk along a row from pixel to pixel, over many cells: the index, and the
  * error where its cell begins. `outside` is below 0 before a padded gradient,
  * and |d|^2 or more behind it. */
@@ -77,17 +102,19 @@ struct pixel {
 
 struct row_walk {
     const struct pel_linear *paint;
-    struct pixel at, step; /* index by less than the period */
+    struct pixel at;
+    pel_cell_error error_step;
+    int32_t index_step; /* by less than the period */
 };
 
-static PEL_NOINLINE_32 void set_step(struct row_walk *w)
+/* `outside` is of use before it is set. */
+static inline void set_step(struct row_walk *w)
 {
     const struct pel_linear *p = w->paint;
-    w->step.outside = is_padded(p) ? 256 * (int64_t)p->d.x : 0;
-    w->step.error = p->step;
-    int64_t index = pel_divide_64(&w->step.error, p->square);
-    (void)pel_divide_64(&index, p->base.period);
-    w->step.index = (int32_t)index * p->direction;
+    w->error_step = p->step;
+    w->at.outside = pel_divide_64(&w->error_step, p->square);
+    (void)pel_divide_64(&w->at.outside, p->base.period);
+    w->index_step = (int32_t)w->at.outside * p->direction;
 }
 
 static PEL_STEP_OR_INLINE void set_outside(struct row_walk *w, int32_t x,
@@ -102,8 +129,9 @@ static PEL_NOINLINE_32 void row_walk_start(void *walk, int32_t x, int32_t y)
 {
     struct row_walk *w = walk;
     set_outside(w, x, y);
-    w->at.error = product_at(w->paint, x, y, false);
-    w->at.index = find_cell(w->paint, false, &w->at.error);
+    w->at.error = product_at(w->paint, x, y, PEL_REPEAT);
+    w->at.index =
+        index_of(w->paint, PEL_REPEAT, find_cell(w->paint, &w->at.error));
 }
 
 static PEL_NOINLINE_32 void row_walk_colors(void *walk, int32_t n,
@@ -113,15 +141,16 @@ static PEL_NOINLINE_32 void row_walk_colors(void *walk, int32_t n,
     const struct pel_linear *p = w->paint;
     const struct pel_gradient *const g = &p->base;
     const int64_t square = p->square;
+    const int64_t outside_step = is_padded(p) ? 256 * (int64_t)p->d.x : 0;
     struct pixel copy = w->at, *const at = PEL_SHORT_STACK ? &w->at : &copy;
     for (; n > 0; n--, out++) {
         int32_t index = at->index;
         if ((uint64_t)at->outside >= (uint64_t)square)
             index = (at->outside < 0) == (p->direction > 0) ? 0 : g->cells - 1;
         *out = g->color(g, index);
-        at->outside += w->step.outside;
-        at->error += w->step.error;
-        at->index += w->step.index;
+        at->outside += outside_step;
+        at->error += w->error_step;
+        at->index += w->index_step;
         if (at->error >= square) {
             at->error -= square;
             at->index += p->direction;
@@ -146,8 +175,11 @@ static PEL_STEP_OR_INLINE void fill_rows(const struct pel_paint *paint,
                                          const struct pel_spans *spans,
                                          int32_t most, struct pel_span *run)
 {
+    const struct pel_linear *p = (const void *)paint;
     struct pel_cells c;
     pel_cells_begin(&c, paint, spans, most, run);
+    if (PEL_SHORT_STACK) /* else set_cell does */
+        c.direction = (pel_cell_direction)p->direction;
     pel_cells_fill(&c, spans, start, end_cells);
 }
 
@@ -191,7 +223,7 @@ static PEL_NOINLINE_32 bool fill_walked(const struct pel_linear *p,
     if (!pel_spans_hull(&hull, spans->span, spans->n))
         return false;
     const int64_t least = product_at(
-        p, hull.x0, spans->y + up * last * spans->step, is_padded(p));
+        p, hull.x0, spans->y + up * last * spans->step, p->base.ramp.spread);
     const int64_t across = pel_product(p->d.x, hull.x1 - 1 - hull.x0);
     if (least <= 0 || least + 256 * (across + growth * last) >= p->square)
         return false;
@@ -211,7 +243,7 @@ static PEL_NOINLINE_32 bool fill_walked(const struct pel_linear *p,
             continue;
         pel_mix_start(&walk.mix, &p->base, c.index, p->direction);
         walk.error = (int32_t)c.error + p->d.x * (run.x0 - hull.x0);
-        walk.remainder = c.remainder;
+        walk.remainder = c.whole;
         if (!channels->walk(spans->surface, run.x0, spans->y + k * spans->step,
                             run.x1 - run.x0, &walk))
             return false;

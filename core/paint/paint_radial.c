@@ -48,7 +48,7 @@ static PEL_HOT bool end_cells(struct pel_cells *c, int32_t count)
     const struct pel_point center = p->rings.center;
     const int32_t direction = c->direction;
     return pel_cells_end(
-        c, direction * (pel_pixel_center(c->x) - center.x + 128),
+        c, direction * (pel_pixel_center(c->at.x1) - center.x + 128),
         direction * (pel_pixel_center(c->cell.y) - center.y + 128),
         direction * 256);
 }
@@ -103,7 +103,8 @@ static PEL_NOINLINE_32 void find_ring(struct pel_cells *c,
     const int64_t ring = pel_product(part + (c->direction < 0), radius);
     const int32_t begin = quotient(ring, n);
     c->whole = copy * radius + begin;
-    c->remainder = (int32_t)((uint32_t)ring - (uint32_t)begin * (uint32_t)n);
+    c->remainder =
+        (pel_cell_rest)((uint32_t)ring - (uint32_t)begin * (uint32_t)n);
 }
 
 /* Chooses the part of the batch on one side, and measures the square of the
@@ -113,17 +114,17 @@ static PEL_STEP_OR_INLINE void start_side(struct pel_cells *c,
 {
     const int32_t split = pel_first_pixel(p->rings.center.x);
     c->direction = 1;
-    if (c->x < split) {
+    if (c->at.x1 < split) {
         c->direction = -1;
         c->hi = pel_min(c->hi, split);
     }
-    c->error = pel_radial_square(p, c->x, first_row(c, p->rings.center.y));
+    c->error = pel_radial_square(p, c->at.x1, first_row(c, p->rings.center.y));
 }
 
 static PEL_STEP_OR_INLINE void start_error(struct pel_cells *c,
                                            const struct pel_radial *p)
 {
-    c->error = (pel_radial_square(p, c->x, c->cell.y) >> 9) - 1;
+    c->error = (pel_radial_square(p, c->at.x1, c->cell.y) >> 9) - 1;
     if (c->direction < 0)
         c->error = ~c->error;
     add_circle(c, p, -c->direction);
@@ -192,12 +193,12 @@ static PEL_NOINLINE_32 int32_t next_root(struct row_walk *w)
 static void row_walk_next(struct row_walk *w)
 {
     const struct pel_radial *p = w->paint;
-    const uint32_t period = (uint32_t)p->base.period;
     const int32_t root = next_root(w);
     w->ring += (uint32_t)pel_floor_divide(w->remainder +
                                               (root - w->root) * p->base.cells,
                                           p->rings.radius, &w->remainder);
     w->root = root;
+    const uint32_t period = (uint32_t)p->base.period;
     if (p->base.ramp.spread != PEL_PAD)
         while (w->ring >= period)
             w->ring += (int32_t)w->ring < 0 ? period : 0 - period;
@@ -208,8 +209,8 @@ static PEL_NOINLINE_32 void row_walk_colors(void *walk, int32_t n,
 {
     struct row_walk *w = walk;
     const struct pel_gradient *const g = &w->paint->base;
-    const uint32_t last = (uint32_t)g->period - 1;
     for (; n > 0; n--, row_walk_next(w)) {
+        const uint32_t last = (uint32_t)g->period - 1;
         const uint32_t ring = w->over ? w->ring : (uint32_t)w->paint->first;
         *out++ = g->color(g, (int32_t)(ring < last ? ring : last));
     }
