@@ -13,13 +13,20 @@ enum { COLORS = PEL_64BIT ? 128 : 64, NARROW = 8 };
 /* The pixels before the full ones, those behind them, or all. */
 enum part { LEFT, RIGHT, ALL };
 
+/* A row of pixels, as in struct pel_smooth_row. */
+struct row {
+    const uint8_t *coverage;
+    int32_t x;
+    uint8_t left, full, right;
+};
+
 /* Rows whose colors come in one call. In the buffer a row begins `pitch` colors
  * behind the one before, and as many more as it begins further right: pitch is
  * so large that none reaches into the next, and as edges go on from row to row,
  * little is left free between them. */
 struct rows {
-    int32_t n, pitch, step;
-    struct pel_smooth_row row[PEL_SMOOTH_BATCH_ROWS];
+    int32_t n, pitch, y, step;
+    struct row row[PEL_SMOOTH_BATCH_ROWS];
     struct pel_span span[PEL_SMOOTH_BATCH_ROWS];
     pel_color colors[COLORS];
 };
@@ -42,31 +49,28 @@ static PEL_ALWAYS_INLINE void drop_zeros(struct pel_smooth_row *row)
 }
 
 /* A part of the first row. */
-static PEL_ALWAYS_INLINE void set_row(struct pel_smooth_row *row,
-                                      struct pel_span *span,
+static PEL_ALWAYS_INLINE void set_row(struct row *to, struct pel_span *span,
                                       const struct pel_smooth_runs *runs,
                                       enum part part)
 {
     const int32_t left = runs->count[0], right = runs->count[1];
     const int32_t x0 = runs->x[0], x1 = runs->x[1];
-    row->y = runs->y;
-    row->x = x0 - left;
-    row->left = left;
-    row->full = row->right = 0;
-    row->coverage = runs->coverage;
+    struct pel_smooth_row row = {0, x0 - left, left, 0, 0, runs->coverage};
     if (part == RIGHT) {
-        row->coverage += left;
-        row->x = x1;
-        row->left = right;
+        row.coverage += left;
+        row.x = x1;
+        row.left = right;
     } else if (part == ALL && x0 < x1) {
-        row->full = x1 - x0;
-        row->right = right;
+        row.full = x1 - x0;
+        row.right = right;
     } else if (part == ALL) {
-        row->left = left + right;
+        row.left = left + right;
     }
-    drop_zeros(row);
-    span->x0 = row->x;
-    span->x1 = row->x + row->left + row->full + row->right;
+    drop_zeros(&row);
+    *to = (struct row){row.coverage, row.x, (uint8_t)row.left,
+                       (uint8_t)row.full, (uint8_t)row.right};
+    span->x0 = row.x;
+    span->x1 = row.x + row.left + row.full + row.right;
 }
 
 static PEL_ALWAYS_INLINE void next_row(struct pel_smooth_runs *runs)
@@ -85,6 +89,7 @@ static PEL_ALWAYS_INLINE void take_rows(struct rows *r,
 {
     struct pel_span *span = r->span;
     int32_t n = 0, most = 0;
+    r->y = runs->y;
     r->step = runs->step;
     for (; runs->n > 0; next_row(runs), span++) {
         set_row(&r->row[n], span, runs, part);
@@ -112,7 +117,7 @@ static PEL_NOINLINE_32 void take_colors(const struct pel_smooth *smooth,
 {
     const struct pel_span *const first = r->span;
     const int32_t last = r->n - 1;
-    const int32_t y = r->row[0].y;
+    const int32_t y = r->y;
     struct pel_smooth_surface buffer;
     struct pel_spans spans = {&buffer.surface, first, y, r->n, 1};
     pel_smooth_buffer_set(&buffer, smooth->target, first, y, r->colors);
@@ -126,27 +131,25 @@ static PEL_NOINLINE_32 void take_colors(const struct pel_smooth *smooth,
     smooth->paint->fill(smooth->paint, &spans);
 }
 
-static void put_row(const struct pel_surface *target,
-                    const struct pel_smooth_row *row, pel_color *colors)
+static void put_row(const struct pel_surface *target, const struct row *row,
+                    int32_t y, pel_color *colors)
 {
     const int32_t behind = row->left + row->full, n = behind + row->right;
     pel_smooth_weigh(colors, row->left, row->coverage);
     pel_smooth_weigh(colors + behind, row->right, row->coverage + row->left);
     if (n > 0)
-        target->format->put(target, row->x, row->y, n, colors);
+        target->format->put(target, row->x, y, n, colors);
 }
 
-static void mix_row(const struct pel_surface *target,
-                    const struct pel_smooth_row *row, const pel_color *colors,
-                    pel_smooth_mixer *mix)
+static void mix_row(const struct pel_surface *target, const struct row *row,
+                    int32_t y, const pel_color *colors, pel_smooth_mixer *mix)
 {
     const int32_t bytes = target->format->bits >> 3, left = row->left;
     const int32_t behind = left + row->full;
-    const uintptr_t at = pel_address(target, row->x, row->y, bytes);
+    const uintptr_t at = pel_address(target, row->x, y, bytes);
     mix(at, left, colors, row->coverage);
     if (row->full > 0)
-        target->format->put(target, row->x + left, row->y, row->full,
-                            colors + left);
+        target->format->put(target, row->x + left, y, row->full, colors + left);
     if (row->right > 0)
         mix(at + (uintptr_t)(behind * bytes), row->right, colors + behind,
             row->coverage + left);
@@ -156,13 +159,13 @@ static PEL_NOINLINE_32 void put_rows(const struct pel_surface *target,
                                      struct rows *r)
 {
     pel_smooth_mixer *const mix = pel_smooth_mixer_of(target->format);
-    const struct pel_smooth_row *row = r->row;
-    int32_t from = -row->x;
-    for (int32_t i = r->n; i > 0; i--, row++, from += r->pitch)
+    const struct row *row = r->row;
+    int32_t from = -row->x, y = r->y;
+    for (int32_t i = r->n; i > 0; i--, row++, from += r->pitch, y += r->step)
         if (mix)
-            mix_row(target, row, r->colors + (from + row->x), mix);
+            mix_row(target, row, y, r->colors + (from + row->x), mix);
         else
-            put_row(target, row, r->colors + (from + row->x));
+            put_row(target, row, y, r->colors + (from + row->x));
 }
 
 static PEL_NOINLINE_32 void paint_part(const struct pel_smooth *smooth,
@@ -194,8 +197,9 @@ static bool paint_narrow(const struct pel_smooth *smooth,
     return true;
 }
 
-static void put_flat(const struct pel_surface *target,
-                     const struct pel_smooth_runs *runs, pel_color color)
+static PEL_NOINLINE_32 void put_flat(const struct pel_surface *target,
+                                     const struct pel_smooth_runs *runs,
+                                     pel_color color)
 {
     const uint8_t *coverage = runs->coverage;
     int32_t y = runs->y;

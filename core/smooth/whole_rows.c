@@ -7,15 +7,14 @@
 
 #if !PEL_SMOOTH_TINY
 
-/* MOST sides in a row; a crossing that has the strip of one before it. */
-enum { MOST = 4, SHARED = -2 };
+enum { MOST = 4 };
 
 /* The sides of a row from left to right, and the crossings that have their
  * strips: two of one circle have one. */
 struct sides {
     const struct pel_rect *seen; /* or NULL: all of it */
     int32_t row;                 /* of what follows */
-    int32_t n;
+    int32_t n, crossings;
     struct pel_smooth_side side[MOST];
     struct pel_smooth_crossing crossing[MOST];
 };
@@ -108,17 +107,16 @@ static bool is_mirror(const struct pel_smooth_side *a,
 /* The sides of crossings, each of which crosses a whole row. */
 static void place_all(struct sides *s, int32_t n)
 {
-    struct pel_smooth_crossing *c = s->crossing, *own = c;
-    const struct pel_smooth_crossing *const end = c + n;
-    for (s->n = 0; c < end; c++) {
-        if (c > own && c->other < 0 && c->strip.circle == own->strip.circle) {
-            c->other = SHARED;
-        } else {
-            own = c;
-            begin_strip(&own->strip);
-        }
-        place(s, c, &own->strip);
+    struct pel_smooth_crossing *own = s->crossing;
+    for (s->n = 0; s->n < n;) {
+        const struct pel_smooth_crossing c = s->crossing[s->n];
+        own +=
+            s->n > 0 && (c.other >= 0 || c.strip.circle != own->strip.circle);
+        *own = c;
+        begin_strip(&own->strip);
+        place(s, &c, &own->strip);
     }
+    s->crossings = (int32_t)(own + 1 - s->crossing);
 }
 
 /* Finds the sides of row y. False: they are not 2 or 4 that cross all of it. */
@@ -145,10 +143,8 @@ static bool find_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
  * of it. */
 static bool move_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
 {
-    for (int32_t i = 0; i < s->n; i++) {
+    for (int32_t i = 0; i < s->crossings; i++) {
         struct pel_smooth_crossing *const c = &s->crossing[i];
-        if (c->other == SHARED)
-            continue;
         if (c->other < 0) {
             move_down(&c->strip, c->below);
             continue;
