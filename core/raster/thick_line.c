@@ -1,11 +1,12 @@
 #include "thick_line.h"
 
+#include "../base/divide.h"
 #include "sides.h"
 
 /* floor(sqrt(n)) for n < 2^62, a bit a turn. pel_square_root() is faster, but
  * with its table 300 bytes larger on a microcontroller; a line takes one
  * root. */
-static int64_t root(uint64_t n)
+static uint32_t root(uint64_t n)
 {
     uint64_t r = 0;
     for (uint64_t bit = UINT64_C(1) << 60; bit; bit >>= 2) {
@@ -16,16 +17,16 @@ static int64_t root(uint64_t n)
             r += bit;
         }
     }
-    return (int64_t)r;
+    return (uint32_t)r;
 }
 
 /* A length of 2^30 <= size < 2^31 in units of 2^-shift sub-pixels. */
 struct length {
-    int64_t size;
+    uint32_t size;
     int shift;
 };
 
-static struct length length_of(int32_t dx, int32_t dy)
+static PEL_NOINLINE_32 struct length length_of(int32_t dx, int32_t dy)
 {
     struct length l = {0, 0};
     uint64_t square = (uint64_t)(pel_square(dx) + pel_square(dy));
@@ -36,12 +37,14 @@ static struct length length_of(int32_t dx, int32_t dy)
 }
 
 /* round(v width / (2 l)), away from 0 at a tie. |v| is at most the length, so
- * the product is below 2^31 * 2^23. */
-static int32_t across(int32_t v, int32_t width, const struct length *l)
+ * the product is below 2^31 2^23. */
+static PEL_NOINLINE_32 int32_t across(int32_t v, int32_t width,
+                                      const struct length *l)
 {
-    int64_t n = (int64_t)v * (INT64_C(1) << l->shift) * width;
-    n = n < 0 ? n - l->size : n + l->size;
-    return (int32_t)(n / (2 * l->size));
+    const uint32_t size = (uint32_t)pel_magnitude(v) << l->shift;
+    const uint64_t n = pel_multiply(size, (uint32_t)width) + l->size;
+    const int32_t half = (int32_t)pel_divide(n, 2 * l->size);
+    return v < 0 ? -half : half;
 }
 
 bool pel_thick_line_corners(const struct pel_thick_line_shape *line,

@@ -90,21 +90,20 @@ bool pel_smooth_begin(struct pel_smooth *smooth,
     return legal;
 }
 
-#if PEL_SMOOTH_TINY
-
-void pel_smooth_drawing_begin(struct pel_smooth_drawing *d,
-                              const struct pel_smooth *smooth)
+bool pel_smooth_drawing_begin(struct pel_smooth_drawing *d,
+                              const struct pel_smooth *smooth, int32_t y,
+                              const struct pel_span *span)
 {
     const struct pel_flat *const flat = pel_smooth_flat(smooth);
-    const struct pel_span *const span = d->spans.span;
+    pel_smooth_drawing_set(d, smooth, y, span);
+    d->buffer.target = smooth->target;
     pel_smooth_set_colors(d->colors, span->x1 - span->x0,
                           flat ? flat->color : 0);
-    d->buffer.target = smooth->target;
     if (flat)
-        return;
-    pel_smooth_buffer_set(&d->buffer, smooth->target, span, d->spans.y,
-                          d->colors);
+        return false;
+    pel_smooth_buffer_set(&d->buffer, smooth->target, span, y, d->colors);
     d->spans.surface = &d->buffer.surface;
+    return true;
 }
 
 static PEL_NOINLINE void weigh(pel_color *colors, int32_t n,
@@ -123,6 +122,8 @@ void pel_smooth_drawing_end(struct pel_smooth_drawing *d,
     if (target->format)
         target->format->put(target, span->x0, d->spans.y, n, d->colors);
 }
+
+#if PEL_SMOOTH_TINY
 
 static PEL_NOINLINE void paint_flat(const struct pel_smooth *smooth, int32_t y,
                                     const struct pel_span *span,

@@ -3,6 +3,7 @@
  */
 #include "smooth_convex.h"
 
+#include "short_walk.h"
 #include "smooth_walk.h"
 
 static bool has_edge(const struct pel_smooth_walk *k, int i)
@@ -33,7 +34,7 @@ static void next_edges(struct pel_smooth_walk *k)
             pel_smooth_next_edge(k, i);
             next = true;
         }
-    if (next && !PEL_SMALL_CODE)
+    if (next)
         look_down(k);
 }
 
@@ -77,22 +78,12 @@ static bool is_inside(const struct pel_rect *box, const struct pel_rect *clip)
 }
 
 /* The first vertex at a height. */
-static int32_t vertex_at(const struct pel_smooth_walk *k, int32_t y)
+static int32_t vertex_at(const struct pel_point *v, int32_t y)
 {
     int32_t i = 0;
-    while (k->v[i].y != y)
+    while (v[i].y != y)
         i++;
     return i;
-}
-
-/* Both from the first vertex at the top. */
-static void start_sides(struct pel_smooth_walk *k, int32_t y)
-{
-    const int32_t top = vertex_at(k, y);
-    start(k, 0, top);
-    start(k, 1, top);
-    if (!PEL_SMALL_CODE)
-        look_down(k);
 }
 
 static PEL_NOINLINE_32 bool is_legal(const struct pel_point *v, int32_t n)
@@ -103,20 +94,52 @@ static PEL_NOINLINE_32 bool is_legal(const struct pel_point *v, int32_t n)
     return legal;
 }
 
-/* False: nothing is to be seen. */
+/* An outline's box and the rows of it that are drawn, x0 to x1; and which way
+ * it goes round: 1, or -1; or 0, where nothing is to be seen. */
+static int8_t find_rows(const struct pel_rect *clip, const struct pel_point *v,
+                        int32_t n, struct pel_rect *box, struct pel_span *rows)
+{
+    const int64_t area = n < 3 ? 0 : area_of(v, n);
+    if (area == 0)
+        return 0;
+    *box = pel_points_box(v, n);
+    rows->x0 = pel_max(pel_pixel_of(box->y0), clip->y0);
+    rows->x1 = pel_min(pel_pixel_of(box->y1 + 255), clip->y1);
+    return rows->x0 >= rows->x1 || is_beside(box, clip) ? 0 : area > 0 ? 1 : -1;
+}
+
+PEL_NOINLINE bool pel_smooth_short_begin(struct pel_smooth_short_walk *k,
+                                         const struct pel_surface *surface,
+                                         const struct pel_point *v, int32_t n)
+{
+    struct pel_rect box;
+    struct pel_span rows;
+    k->turn = find_rows(&surface->clip, v, n, &box, &rows);
+    if (!pel_smooth_begin(&k->smooth, surface, k->smooth.paint) || !k->turn)
+        return false;
+    k->y = rows.x0;
+    k->end = rows.x1;
+    k->side[0].from = k->side[1].from = vertex_at(v, box.y0);
+    return true;
+}
+
+/* Both from the first vertex at the top. False: nothing is to be seen. */
 static PEL_NOINLINE_32 bool start_walk(struct pel_smooth_walk *k)
 {
     const struct pel_rect *const clip = &k->smooth.target->clip;
-    const struct pel_rect box = pel_points_box(k->v, k->n);
-    const int64_t area = area_of(k->v, k->n);
-    k->y = pel_max(pel_pixel_of(box.y0), clip->y0);
-    k->end = pel_min(pel_pixel_of(box.y1 + 255), clip->y1);
+    struct pel_rect box;
+    struct pel_span rows;
+    k->turn = find_rows(clip, k->v, k->n, &box, &rows);
+    if (k->turn == 0)
+        return false;
+    const int32_t top = vertex_at(k->v, box.y0);
+    k->y = rows.x0;
+    k->end = rows.x1;
     k->inside = is_inside(&box, clip);
     k->rest = (struct pel_span){0, 0};
-    k->turn = area > 0 ? 1 : -1;
-    if (area == 0 || k->y >= k->end || is_beside(&box, clip))
-        return false;
-    start_sides(k, box.y0);
+    start(k, 0, top);
+    start(k, 1, top);
+    look_down(k);
     return true;
 }
 
@@ -126,7 +149,7 @@ static PEL_NOINLINE_32 bool begin(struct pel_smooth_walk *k,
 {
     return is_legal(k->v, k->n) &&
            pel_smooth_begin(&k->smooth, surface, k->smooth.paint) &&
-           k->n >= 3 && start_walk(k);
+           start_walk(k);
 }
 
 /* Makes the next batch of whole rows, or goes on to what is left of a row that
@@ -137,21 +160,31 @@ static PEL_NOINLINE_32 bool next_rows(struct pel_smooth_walk *k)
         if (k->y >= k->end)
             return false;
         next_edges(k);
-        const int32_t n =
-            PEL_SMALL_CODE ? 0 : pel_min(k->whole - k->y, k->rows);
+        const int32_t n = pel_min(k->whole - k->y, k->rows);
         if (n > 0) {
             pel_smooth_cross(k, n);
             return true;
         }
         pel_smooth_pass_row(k);
-        if (!PEL_SMALL_CODE)
-            look_down(k);
+        look_down(k);
     }
     return true;
 }
 
-/* Inlined twice, for less stack. */
-static PEL_ALWAYS_INLINE void paint_outline(const struct pel_surface *surface,
+static PEL_ALWAYS_INLINE void paint_short(const struct pel_surface *surface,
+                                          const struct pel_point *v, int32_t n,
+                                          const struct pel_paint *paint)
+{
+    struct pel_smooth_short_walk k;
+    k.shape.v = v;
+    k.of.n = n;
+    k.line = false;
+    k.smooth.paint = paint;
+    if (is_legal(v, n) && pel_smooth_short_begin(&k, surface, v, n))
+        pel_smooth_short_paint(&k);
+}
+
+static PEL_ALWAYS_INLINE void paint_batches(const struct pel_surface *surface,
                                             const struct pel_point *v,
                                             int32_t n,
                                             const struct pel_paint *paint)
@@ -167,6 +200,18 @@ static PEL_ALWAYS_INLINE void paint_outline(const struct pel_surface *surface,
             pel_smooth_rest_of_row(&k);
         pel_smooth_paint_batch(&k.smooth, &k.of.batch);
     }
+}
+
+/* Inlined twice, for less stack. */
+static PEL_ALWAYS_INLINE void paint_outline(const struct pel_surface *surface,
+                                            const struct pel_point *v,
+                                            int32_t n,
+                                            const struct pel_paint *paint)
+{
+    if (PEL_SMOOTH_TINY)
+        paint_short(surface, v, n, paint);
+    else
+        paint_batches(surface, v, n, paint);
 }
 
 void pel_smooth_convex(const struct pel_surface *surface,

@@ -57,28 +57,13 @@ int64_t pel_smooth_slope(const struct pel_point *a, const struct pel_point *b,
     return b->x < a->x ? -step : step;
 }
 
-/* Of a pixel that the piece crosses. */
-static inline uint32_t area_in(const struct pel_smooth_piece *p, int32_t x)
-{
-    const int32_t a = p->lo >> 16, b = p->hi >> 16;
-    const uint32_t low = p->lo & 0xFFFF, high = p->hi & 0xFFFF;
-    const uint32_t full = p->height * (255 << 8);
-    if (a == b)
-        return full - ((low + high) * (p->height >> 1) >> 8) * 255;
-    if (x == a)
-        return pel_smooth_corner(&p->rise, 65536 - low);
-    if (x == b)
-        return full - pel_smooth_corner(&p->rise, high);
-    return pel_smooth_between(&p->rise, 65536 - low) +
-           (uint32_t)(x - a - 1) * p->rise.value;
-}
-
 void pel_smooth_add(const struct pel_smooth_piece *p, uint32_t flip, int32_t x,
                     int32_t n, uint32_t *area)
 {
     const uint32_t full = p->height * (255 << 8);
     for (int32_t i = pel_max(0, (p->lo >> 16) - x); i < n; i++) {
-        const uint32_t v = x + i <= p->hi >> 16 ? area_in(p, x + i) : full;
+        const uint32_t v =
+            x + i <= p->hi >> 16 ? pel_smooth_area_in(p, x + i) : full;
         area[i] += (v ^ flip) - flip;
     }
 }

@@ -84,6 +84,23 @@ static inline void pel_smooth_piece_set(struct pel_smooth_piece *p, int32_t a,
     p->hi = pel_max(a, b);
 }
 
+/* 255 times the area right of a piece in a pixel that it crosses. */
+static inline uint32_t pel_smooth_area_in(const struct pel_smooth_piece *p,
+                                          int32_t x)
+{
+    const int32_t a = p->lo >> 16, b = p->hi >> 16;
+    const uint32_t low = p->lo & 0xFFFF, high = p->hi & 0xFFFF;
+    const uint32_t full = p->height * (255 << 8);
+    if (a == b)
+        return full - ((low + high) * (p->height >> 1) >> 8) * 255;
+    if (x == a)
+        return pel_smooth_corner(&p->rise, 65536 - low);
+    if (x == b)
+        return full - pel_smooth_corner(&p->rise, high);
+    return pel_smooth_between(&p->rise, 65536 - low) +
+           (uint32_t)(x - a - 1) * p->rise.value;
+}
+
 /* Adds 255 times the area right of a piece in n pixels from x on; takes it away
  * where flip is all ones. */
 void pel_smooth_add(const struct pel_smooth_piece *piece, uint32_t flip,

@@ -69,8 +69,8 @@ static PEL_NOINLINE_32 PEL_UNUSED void pel_smooth_paint_full(
         smooth->paint->fill(smooth->paint, &spans);
 }
 
-#if PEL_SMOOTH_TINY
-/* Pixels whose colors are weighed at a time. */
+/* What follows is for where PEL_SMOOTH_TINY is 1. Pixels whose colors are
+ * weighed at a time. */
 enum { PEL_SMOOTH_PIXELS = 4 };
 
 /* What a paint is given to color so many pixels of a row at most. */
@@ -80,8 +80,20 @@ struct pel_smooth_drawing {
     pel_color colors[PEL_SMOOTH_PIXELS];
 };
 
-void pel_smooth_drawing_begin(struct pel_smooth_drawing *drawing,
-                              const struct pel_smooth *smooth);
+/* Sets what the paint is given to paint pixels of row y. */
+static inline void pel_smooth_drawing_set(struct pel_smooth_drawing *drawing,
+                                          const struct pel_smooth *smooth,
+                                          int32_t y,
+                                          const struct pel_span *span)
+{
+    drawing->spans = (struct pel_spans){smooth->target, span, y, 1, 0};
+}
+
+/* Begins with so many pixels at most, which are to be weighed. False: the paint
+ * is one color, and need not be asked. Ends with a coverage each. */
+bool pel_smooth_drawing_begin(struct pel_smooth_drawing *drawing,
+                              const struct pel_smooth *smooth, int32_t y,
+                              const struct pel_span *span);
 void pel_smooth_drawing_end(struct pel_smooth_drawing *drawing,
                             const uint8_t *coverage);
 
@@ -91,9 +103,7 @@ static PEL_ALWAYS_INLINE void pel_smooth_draw(
     struct pel_smooth_drawing *drawing, const struct pel_smooth *smooth,
     int32_t y, const struct pel_span *span, const uint8_t *coverage)
 {
-    drawing->spans = (struct pel_spans){smooth->target, span, y, 1, 0};
-    pel_smooth_drawing_begin(drawing, smooth);
-    if (!pel_smooth_flat(smooth))
+    if (pel_smooth_drawing_begin(drawing, smooth, y, span))
         smooth->paint->fill(smooth->paint, &drawing->spans);
     pel_smooth_drawing_end(drawing, coverage);
 }
@@ -102,10 +112,9 @@ static PEL_ALWAYS_INLINE void pel_smooth_draw_full(
     struct pel_smooth_drawing *drawing, const struct pel_smooth *smooth,
     int32_t y, const struct pel_span *span)
 {
-    drawing->spans = (struct pel_spans){smooth->target, span, y, 1, 0};
+    pel_smooth_drawing_set(drawing, smooth, y, span);
     if (span->x0 < span->x1)
         smooth->paint->fill(smooth->paint, &drawing->spans);
 }
-#endif
 
 #endif

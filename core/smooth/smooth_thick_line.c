@@ -1,5 +1,7 @@
 #include "smooth_thick_line.h"
 
+#include "short_walk.h"
+
 static PEL_NOINLINE_32 bool corners_of(const struct pel_thick_line_shape *line,
                                        bool square, struct pel_point v[4])
 {
@@ -28,18 +30,59 @@ static PEL_NOINLINE_32 bool is_seen(const struct pel_thick_line_shape *line,
            pel_pixel_of(box.y1 + end) >= clip->y0;
 }
 
-static void paint_line(const struct pel_surface *surface,
-                       const struct pel_thick_line_shape *line, bool square,
-                       const struct pel_paint *paint)
+static bool set_corners(const struct pel_surface *surface,
+                        const struct pel_thick_line_shape *line, bool square,
+                        struct pel_point v[4])
 {
-    struct pel_point v[4];
     PEL_HINT(pel_thick_line_in_subpixels(line));
     if (pel_thick_line_legal(line) && !is_seen(line, &surface->clip))
-        return;
+        return false;
     const bool legal = corners_of(line, square, v);
     PEL_ASSERT(legal);
-    if (legal)
+    return legal;
+}
+
+static PEL_NOINLINE bool begin_short(struct pel_smooth_short_walk *k,
+                                     const struct pel_surface *surface)
+{
+    const struct pel_thick_line_shape *const line = k->shape.line;
+    struct pel_point *const v = k->work.v;
+    if (!set_corners(surface, line, k->square, v))
+        return false;
+    k->line = true;
+    k->of.m = (struct pel_point){v[0].x - line->from.x, v[0].y - line->from.y};
+    return pel_smooth_short_begin(k, surface, v, 4);
+}
+
+static PEL_ALWAYS_INLINE void paint_short(
+    const struct pel_surface *surface, const struct pel_thick_line_shape *line,
+    bool square, const struct pel_paint *paint)
+{
+    struct pel_smooth_short_walk k;
+    k.shape.line = line;
+    k.square = square;
+    k.smooth.paint = paint;
+    if (begin_short(&k, surface))
+        pel_smooth_short_paint(&k);
+}
+
+static void paint_corners(const struct pel_surface *surface,
+                          const struct pel_thick_line_shape *line, bool square,
+                          const struct pel_paint *paint)
+{
+    struct pel_point v[4];
+    if (set_corners(surface, line, square, v))
         pel_smooth_convex(surface, v, 4, paint);
+}
+
+static PEL_ALWAYS_INLINE void paint_line(
+    const struct pel_surface *surface, const struct pel_thick_line_shape *line,
+    bool square, const struct pel_paint *paint)
+{
+    if (PEL_SMOOTH_TINY)
+        paint_short(surface, line, square, paint);
+    else
+        paint_corners(surface, line, square, paint);
 }
 
 void pel_smooth_thick_line(const struct pel_surface *surface,
