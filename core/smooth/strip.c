@@ -218,9 +218,7 @@ static PEL_NOINLINE void cover_steep(const struct pel_smooth_side *k, int32_t u,
     area += (uint32_t)(w >> 1) * ((uint32_t)(v + 65536) >> 1) >> 16;
     put_area(area + pel_smooth_large_bulge(s->bulge, 65536 - v), k->flip, to);
     area = (uint32_t)(end >> 1) * ((uint32_t)v >> 1) >> 16;
-    put_area(area + pel_smooth_large_bulge(s->bulge, v), k->flip, to += step);
-    if (end == 65536)
-        put_area(0, k->flip, to + step);
+    put_area(area + pel_smooth_large_bulge(s->bulge, v), k->flip, to + step);
 }
 
 /* What is below a piece that goes along for w and down from v0 to v1. */
@@ -275,15 +273,14 @@ static PEL_NOINLINE void cover_arc(const struct pel_smooth_side *k, int32_t u,
 }
 
 /* A row with room for its bytes has fewer than 2^8 columns: their width is
- * shifted down by less than 16. */
+ * shifted down by less than 16, and not up where there are three. */
 static PEL_NOINLINE void cover_line(const struct pel_smooth_side *k, int32_t u,
                                     uint8_t *to)
 {
     const struct pel_smooth_slope *const slope = &k->strip->slope;
     const uint32_t first = (uint32_t)(u - k->strip->at_far);
     struct way way = {(first << slope->up >> slope->down) * slope->rise,
-                      (UINT32_C(65536) << slope->up >> slope->down) *
-                          slope->rise};
+                      (UINT32_C(65536) >> slope->down) * slope->rise};
     cover_flat(k, u, to, &way);
 }
 
