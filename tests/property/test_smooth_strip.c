@@ -2,8 +2,14 @@
  * of long doubles; and circles where these are whole numbers. */
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
+#include "core/smooth/smooth_arc.h"
 #include "core/smooth/smooth_circle.h"
+#include "core/smooth/smooth_ellipse.h"
+#include "core/smooth/smooth_ring.h"
+#include "core/smooth/smooth_rounded_rectangle.h"
+#include "core/smooth/smooth_thick_line.h"
 #include "core/smooth/strip.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
@@ -116,3 +122,104 @@ TEST(whole_numbers)
                                  i & 4 ? 128 : 0);
         }
 }
+
+enum { SHAPES = 7 };
+
+static void draw_kind(const struct pel_surface *surface, int kind,
+                      struct pel_point c, int32_t wider,
+                      const struct pel_paint *paint)
+{
+    const struct pel_ring_shape ring = {c, PEL_PX(22), PEL_PX(30)};
+    const struct pel_arc_shape arc = {c, PEL_PX(22), PEL_PX(30), 9000, 0};
+    const struct pel_ellipse_shape ellipse = {c, {PEL_PX(40), PEL_PX(30)}};
+    const struct pel_point up = {c.x - 3000, c.y - 6000};
+    const struct pel_point down = {c.x + 3000 + wider, c.y + 6000};
+    const struct pel_rounded_shape rounded = {up, down, PEL_PX(9)};
+    const struct pel_thick_line_shape line = {up, down, PEL_PX(12)};
+    switch (kind) {
+    case 0:
+        pel_smooth_circle(surface, c, PEL_PX(30), paint);
+        break;
+    case 1:
+        pel_smooth_circle(surface, c, PEL_PX(45), paint);
+        break;
+    case 2:
+        pel_smooth_ring(surface, &ring, paint);
+        break;
+    case 3:
+        pel_smooth_ellipse(surface, &ellipse, paint);
+        break;
+    case 4:
+        pel_smooth_rounded_rectangle(surface, &rounded, paint);
+        break;
+    case 5:
+        pel_smooth_thick_line_round(surface, &line, paint);
+        break;
+    default:
+        pel_smooth_arc(surface, &arc, paint);
+    }
+}
+
+/* Left and right halves of shapes that are nearly their own mirror images are
+ * the same as in the whole, where one is made of the other. */
+TEST(halves)
+{
+    static const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
+    static const struct pel_rect bounds = {0, 0, 96, 96};
+    static uint8_t whole[96 * 96], part[96 * 96];
+    struct pel_surface surface;
+    for (struct cases c = cases_of(600); cases_next(&c);) {
+        struct random *const r = &c.random;
+        const int kind = random_between(r, 0, SHAPES - 1);
+        const struct pel_point center = {
+            PEL_PX(48) + 128 * random_between(r, 0, 2) +
+                random_between(r, -1, 1),
+            PEL_PX(48) + random_between(r, -256, 256)};
+        const int32_t wider = random_between(r, 0, 1);
+        memset(whole, 0, sizeof whole);
+        memset(part, 0, sizeof part);
+        pel_surface_init(&surface, &pel_gray8, whole, sizeof whole, &bounds);
+        draw_kind(&surface, kind, center, wider, &white.paint);
+        surface.pixels = part;
+        surface.clip.x1 = 48;
+        draw_kind(&surface, kind, center, wider, &white.paint);
+        surface.clip.x0 = 48;
+        surface.clip.x1 = 96;
+        draw_kind(&surface, kind, center, wider, &white.paint);
+        if (memcmp(whole, part, sizeof whole) != 0)
+            fail_msg("shape %d at %d %d, wider by %d; %s", kind, center.x,
+                     center.y, wider, cases_replay());
+    }
+}
+
+#if !PEL_SMOOTH_TINY
+static int calls;
+
+static void count_call(const struct pel_paint *paint,
+                       const struct pel_spans *spans)
+{
+    (void)paint;
+    (void)spans;
+    calls++;
+}
+
+/* One call of the paint for a row or more, where the other way takes three. */
+TEST(rows_come_in_batches)
+{
+    static const struct pel_paint paint = {.fill = count_call};
+    static const int most[SHAPES] = {19, 25, 44, 21, 24, 45, 48};
+    static const struct pel_rect bounds = {0, 0, 96, 96};
+    static uint8_t pixels[96 * 96];
+    struct pel_surface surface;
+    pel_surface_init(&surface, &pel_gray8, pixels, sizeof pixels, &bounds);
+    for (int i = 0; i < 4 * SHAPES; i++) {
+        const struct pel_point center = {PEL_PX(48) + (i & 1 ? 128 : 37),
+                                         PEL_PX(48) + (i & 2 ? 128 : 99)};
+        calls = 0;
+        draw_kind(&surface, i / 4, center, 0, &paint);
+        if (calls > most[i / 4])
+            fail_msg("kind %d at %d %d: %d calls", i / 4, center.x, center.y,
+                     calls);
+    }
+}
+#endif
