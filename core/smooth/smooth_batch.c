@@ -8,7 +8,7 @@
 
 /* Colors that are weighed at a time, as many as a batch has and more; and full
  * pixels of a row that are weighed with the others. */
-enum { COLORS = PEL_64BIT ? 128 : 64, NARROW = 8 };
+enum { COLORS = PEL_64BIT ? 128 : 48, NARROW = 8 };
 
 /* The pixels before the full ones, those behind them, or all. */
 enum part { LEFT, RIGHT, ALL };
