@@ -2,31 +2,47 @@
 
 #include "smooth_edge.h"
 
+/* The first row whose top a line down crosses, or begins at; and x there, px
+ * 2^-32. */
+static inline int32_t first_row(const struct pel_smooth_far_place *end)
+{
+    return (int32_t)((end->y + 65535) >> 16);
+}
+
+static inline int64_t first_at(const struct pel_smooth_far_place *end,
+                               int64_t step)
+{
+    const uint64_t size = (uint64_t)pel_size_of(step);
+    const int64_t way =
+        (int64_t)(pel_times(size, (int32_t)(-end->y & 65535)) >> 16);
+    return end->x * 65536 + (step < 0 ? -way : way);
+}
+
+#if PEL_SMOOTH_TINY
+int64_t pel_smooth_line_at(const struct pel_smooth_far_place end[2],
+                           const int64_t *step, int32_t y, bool bottom)
+{
+    y += bottom;
+    if (bottom ? end[1].y <= (int64_t)y * 65536 : end->y >= (int64_t)y * 65536)
+        return end[bottom].x;
+    return (first_at(end, *step) +
+            (int64_t)pel_times((uint64_t)*step, y - first_row(end))) >>
+           16;
+}
+#else
 bool pel_smooth_cut(const struct pel_smooth_outline *o, int32_t i, int32_t k,
                     bool upright, struct pel_smooth_strip *s)
 {
     const struct pel_smooth_ends *const e = pel_smooth_ends_of(o, i);
-    for (int32_t last = 0; last < 2; last++) {
-        const struct pel_smooth_place *const p = last ? &e->to : &e->from;
-        const int32_t v = pel_magnitude(p->y), u = pel_magnitude(p->x);
-        if (k != (last ? o->curve[i].circle.count - 1 : 0))
-            continue;
-        if (last == upright && v > s->near) {
-            s->near = v;
-            s->at_near = u;
-        }
-        if (last != upright && v < s->far) {
-            s->far = v;
-            s->at_far = u;
-        }
-    }
-    s->at_far = pel_min(s->at_far, s->at_near);
-    return s->near < s->far;
+    if (k == 0)
+        pel_smooth_cut_at(s, &e->from, !upright);
+    if (k == o->curve[i].circle.count - 1)
+        pel_smooth_cut_at(s, &e->to, upright);
+    return pel_smooth_is_left(s);
 }
 
-static PEL_NOINLINE_32 void set_place(struct pel_smooth_far_place *far,
-                                      const struct pel_smooth_outline *o,
-                                      int32_t k, bool last)
+static void set_place(struct pel_smooth_far_place *far,
+                      const struct pel_smooth_outline *o, int32_t k, bool last)
 {
     const struct pel_smooth_curve *const curve = &o->curve[k];
     const struct pel_smooth_ends *const ends = pel_smooth_ends_of(o, k);
@@ -51,18 +67,13 @@ static int64_t line_at(struct pel_smooth_line *l, int32_t y)
     return l->at >> 16;
 }
 
-/* What lies between two places at the top and the bottom of a part of a row:
- * the first one on the left, and the way from the upper to the lower one. */
 static inline void set_crossing(struct pel_smooth_crossing *c,
                                 const struct pel_smooth_line *l, int64_t first,
                                 int32_t way)
 {
     c->strip.slope = l->slope;
-    c->center = (int32_t)(first >> 8);
-    c->strip.at_far = first & 255;
-    c->strip.at_near = pel_magnitude(way) + c->strip.at_far;
-    c->left = false;
     c->rising = l->rising;
+    pel_smooth_line_cross(c, first, way);
 }
 
 /* A line, or the upper or lower half of one that may be too wide. */
@@ -118,8 +129,7 @@ static bool find_line(struct pel_smooth_outline *outline, int32_t y, int32_t i,
            find_part(outline, y, i, c);
 }
 
-static const struct pel_smooth_sides line_sides = {
-    pel_smooth_cut, PEL_SMOOTH_TINY ? find_part : find_line};
+static const struct pel_smooth_sides line_sides = {pel_smooth_cut, find_line};
 
 /* Of a direction, from one place down to the other. */
 static void set_line(struct pel_smooth_line *l, struct pel_point d,
@@ -129,13 +139,10 @@ static void set_line(struct pel_smooth_line *l, struct pel_point d,
     struct pel_rise rise;
     const struct pel_point down = {d.y < 0 ? -d.x : d.x, pel_magnitude(d.y)};
     l->step = pel_smooth_slope(&zero, &down, &rise);
-    const uint64_t size = (uint64_t)pel_size_of(l->step);
-    l->slope = pel_smooth_slope_of(size);
-    l->first = l->row = (int32_t)((end[0].y + 65535) >> 16);
+    l->slope = pel_smooth_slope_of((uint64_t)pel_size_of(l->step));
+    l->first = l->row = first_row(end);
     l->end = (int32_t)((end[1].y - 1) >> 16);
-    const int64_t way =
-        (int64_t)(pel_times(size, (int32_t)(-end[0].y & 65535)) >> 16);
-    l->at = end[0].x * 65536 + (l->step < 0 ? -way : way);
+    l->at = first_at(end, l->step);
 }
 
 void pel_smooth_lines_begin(struct pel_smooth_lines *lines,
@@ -151,8 +158,7 @@ void pel_smooth_lines_begin(struct pel_smooth_lines *lines,
     lines->ends = ends;
     o->sides = &line_sides;
     o->count = 0;
-    pel_smooth_mirror_from(o, INT32_MAX);
-    o->spread.x = o->spread.y = 0;
+    o->mirror_from = INT32_MAX;
 }
 
 void pel_smooth_lines_add(struct pel_smooth_lines *lines, struct pel_point d,
@@ -172,3 +178,4 @@ void pel_smooth_lines_add(struct pel_smooth_lines *lines, struct pel_point d,
     set_line(l, d, end);
     o->count = (uint8_t)(o->count + (lines->wide ? 2 : 1));
 }
+#endif

@@ -4,18 +4,32 @@
 
 #include "outline.h"
 
-struct pel_smooth_place {
-    int32_t x, y; /* 2^-16 px from a centre */
-};
-
-/* Where a part of a circle begins and ends, clockwise. */
-struct pel_smooth_ends {
-    struct pel_smooth_place from, to;
-};
-
 /* A place in 2^-16 px. */
 struct pel_smooth_far_place {
     int64_t x, y;
+};
+
+/* Sets what lies between two places at the top and the bottom of a part of a
+ * row, all but its heights, its slope and whether it is rising: the first place
+ * on the left, and the way from the upper to the lower one. */
+static inline void pel_smooth_line_cross(struct pel_smooth_crossing *c,
+                                         int64_t first, int32_t way)
+{
+    c->center = (int32_t)(first >> 8);
+    c->strip.at_far = first & 255;
+    c->strip.at_near = pel_magnitude(way) + c->strip.at_far;
+    c->left = false;
+}
+
+#if PEL_SMOOTH_TINY
+/* x at the top or the bottom of row y of a line down, which moves so far to the
+ * next row, px 2^-32; or where it begins or ends in the row. */
+int64_t pel_smooth_line_at(const struct pel_smooth_far_place end[2],
+                           const int64_t *step, int32_t y, bool bottom);
+#else
+/* Where a part of a circle begins and ends, clockwise. */
+struct pel_smooth_ends {
+    struct pel_smooth_place from, to;
 };
 
 /* Where curve k of an outline ends, and where the next one begins; or, flipped,
@@ -63,4 +77,5 @@ void pel_smooth_lines_begin(struct pel_smooth_lines *lines,
 void pel_smooth_lines_add(struct pel_smooth_lines *lines,
                           struct pel_point direction, int32_t k);
 
+#endif
 #endif

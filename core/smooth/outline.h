@@ -11,8 +11,13 @@
 /* A circle, or a part of one. */
 struct pel_smooth_curve {
     struct pel_point center;
+    struct pel_point spread; /* of a rounded rectangle's corners, 1/256 px */
     struct pel_smooth_circle circle;
     int32_t at[2]; /* where the circle is at the ends of the outline's row */
+};
+
+struct pel_smooth_place {
+    int32_t x, y; /* 2^-16 px from a centre */
 };
 
 /* What an outline has in a row: a strip, in the picture that is mirrored if
@@ -24,61 +29,6 @@ struct pel_smooth_crossing {
     bool below;   /* of a circle: of its lower half */
     int8_t other; /* the number of a side that is none of a circle's; or -1 */
 };
-
-struct pel_smooth_outline;
-
-/* What the sides of an outline are, beside whole circles. */
-struct pel_smooth_sides {
-    /* Cuts a strip of the kth quarter of the ith curve, which begins at the
-     * upright axis or at the level one, at the curve's ends; false: none is
-     * left. NULL: curves have no ends. */
-    bool (*cut)(const struct pel_smooth_outline *outline, int32_t i, int32_t k,
-                bool upright, struct pel_smooth_strip *strip);
-    /* The ith other side in row y; false: there is none. */
-    bool (*other)(struct pel_smooth_outline *outline, int32_t y, int32_t i,
-                  struct pel_smooth_crossing *crossing);
-};
-
-struct pel_smooth_outline {
-    struct pel_smooth smooth; /* first */
-    struct pel_rect seen;     /* px */
-    struct pel_point spread;  /* of a rounded rectangle's corners, 1/256 px */
-    struct pel_smooth_curve *curve;
-    const struct pel_smooth_sides *sides; /* NULL: circles alone */
-    int32_t row;                          /* that curves were at last */
-    uint8_t curves, count;                /* of sides that are no curves */
-    bool inside;                          /* no column is clipped away */
-#if !PEL_SMOOTH_TINY
-    int32_t mirror_from; /* from here on rows have mirror images, .. */
-    int32_t mirror_y;    /* .. to which their y adds up */
-    bool mirrored;       /* .. and are painted with them now */
-    int32_t alike; /* down to here no side begins or ends (whole_rows.c) */
-#endif
-};
-
-/* From row y down to the centre of its first curve, or of the corners of a
- * rectangle, rows have mirror images below it. */
-static inline void pel_smooth_mirror_from(struct pel_smooth_outline *outline,
-                                          int32_t y)
-{
-#if PEL_SMOOTH_TINY
-    (void)outline;
-    (void)y;
-#else
-    outline->mirror_from = y;
-#endif
-}
-
-/* Begins to paint an outline that has all but smooth, seen, row, inside,
- * mirrored, mirror_y and alike, which are set here. False: nothing in the box
- * of pixels can be seen. */
-bool pel_smooth_outline_begin(struct pel_smooth_outline *outline,
-                              const struct pel_surface *surface,
-                              const struct pel_rect *box,
-                              const struct pel_paint *paint);
-
-/* Paints what is to be seen. */
-void pel_smooth_outline_paint(struct pel_smooth_outline *outline);
 
 /* A side that is upright, from one height to another in 2^-16 px, which has the
  * rest; false: none of it is in the row. */
@@ -101,14 +51,76 @@ static inline struct pel_span pel_smooth_crossing_columns(
     return c->left ? left : right;
 }
 
+/* Cuts a strip off below or above a place. */
+static inline void pel_smooth_cut_at(struct pel_smooth_strip *s,
+                                     const struct pel_smooth_place *p,
+                                     bool below)
+{
+    const int32_t v = pel_magnitude(p->y), u = pel_magnitude(p->x);
+    if (below && v > s->near) {
+        s->near = v;
+        s->at_near = u;
+    }
+    if (!below && v < s->far) {
+        s->far = v;
+        s->at_far = u;
+    }
+}
+
+/* Ends what has been cut: false: nothing is left. */
+static inline bool pel_smooth_is_left(struct pel_smooth_strip *s)
+{
+    s->at_far = pel_min(s->at_far, s->at_near);
+    return s->near < s->far;
+}
+
+#if !PEL_SMOOTH_TINY
+struct pel_smooth_outline;
+
+/* What the sides of an outline are, beside whole circles. */
+struct pel_smooth_sides {
+    /* Cuts a strip of the kth quarter of the ith curve, which begins at the
+     * upright axis or at the level one, at the curve's ends; false: none is
+     * left. NULL: curves have no ends. */
+    bool (*cut)(const struct pel_smooth_outline *outline, int32_t i, int32_t k,
+                bool upright, struct pel_smooth_strip *strip);
+    /* The ith other side in row y; false: there is none. */
+    bool (*other)(struct pel_smooth_outline *outline, int32_t y, int32_t i,
+                  struct pel_smooth_crossing *crossing);
+};
+
+struct pel_smooth_outline {
+    struct pel_smooth smooth; /* first */
+    struct pel_rect seen;     /* px */
+    struct pel_smooth_curve *curve;
+    const struct pel_smooth_sides *sides; /* NULL: circles alone */
+    int32_t row;                          /* that curves were at last */
+    uint8_t curves, count;                /* of sides that are no curves */
+    bool inside;                          /* no column is clipped away */
+    bool mirrored;       /* rows are painted with their mirror images now, .. */
+    int32_t mirror_from; /* .. which they have from here on, .. */
+    int32_t mirror_y;    /* .. and to which their y adds up */
+    int32_t alike; /* down to here no side begins or ends (whole_rows.c) */
+};
+
+/* Begins to paint an outline that has all but seen, row, inside, mirrored,
+ * mirror_y and alike, which are set here. From row mirror_from down to the
+ * centre of its first curve, or of the corners of a rectangle, rows have mirror
+ * images below it. False: nothing in the box of pixels can be seen. */
+bool pel_smooth_outline_begin(struct pel_smooth_outline *outline,
+                              const struct pel_rect *box);
+
+/* Paints what is to be seen. */
+void pel_smooth_outline_paint(struct pel_smooth_outline *outline);
+
 /* Finds the crossings of row y, of which it puts some into an array, from one
- * on: how many there are. Not where PEL_SMOOTH_TINY is 1. */
+ * on: how many there are. */
 int32_t pel_smooth_find_crossings(struct pel_smooth_outline *outline, int32_t y,
                                   int32_t first, int32_t most,
                                   struct pel_smooth_crossing *to);
 
-/* The first height, from the top of row y on, at which a side may begin or end;
- * nor that where PEL_SMOOTH_TINY is 1. */
+/* The first height, from the top of row y on, at which a side may begin or end.
+ */
 int32_t pel_smooth_find_end(const struct pel_smooth_outline *outline,
                             int32_t y);
 
@@ -116,5 +128,6 @@ int32_t pel_smooth_find_end(const struct pel_smooth_outline *outline,
  * rows apart from each other, and their mirror images: how many. */
 int32_t pel_smooth_whole_rows(struct pel_smooth_outline *outline, int32_t y,
                               int32_t end);
+#endif
 
 #endif

@@ -1,18 +1,11 @@
 /* Rows of outlines, painted some columns at a time: the areas right of the
  * sides that cross them are added up, in any order. */
 #include "outline.h"
-#include "smooth_layer.h"
 
-#if PEL_SMOOTH_TINY
-#include "outline_row.h"
-#endif
+#if !PEL_SMOOTH_TINY
 
 /* Columns whose areas are summed at a time. */
-#if PEL_SMOOTH_TINY
-enum { COLUMNS = PEL_SMOOTH_PIXELS };
-#else
 enum { COLUMNS = 16, CROSSINGS = 8 };
-#endif
 
 /* Some pixels of a row with a coverage each, and full ones behind them. */
 struct part {
@@ -33,93 +26,25 @@ static bool is_whole(uint8_t coverage)
     return (uint8_t)(coverage + 1) < 2;
 }
 
-#if PEL_SMALL_CODE
-/* A pixel, in which the areas right of the sides are added up. */
-struct window {
-    struct pel_smooth_crossing crossing;
-    int32_t x;
-    int32_t next; /* up to here all are like it */
-    int32_t sum;  /* 2^-15 px */
-};
-
-/* Adds what lies right of a side, or takes it away. */
-static PEL_NOINLINE void add_side(void *window)
-{
-    struct window *const w = window;
-    const struct pel_smooth_crossing *const c = &w->crossing;
-    const struct pel_span columns = pel_smooth_crossing_columns(c);
-    const int32_t x = w->x;
-    int32_t area = pel_smooth_height(&c->strip);
-    if (x < columns.x1)
-        w->next = pel_min(w->next, pel_max(columns.x0, x + 1));
-    if (x < columns.x0)
-        return;
-    if (x < columns.x1) {
-        const int32_t u = pel_smooth_boundary(c, c->left ? ~x : x);
-        struct pel_smooth_arc_piece piece = {0, 0, INT32_MIN, 0};
-        const int32_t part =
-            (int32_t)pel_smooth_column_area(&c->strip, u, &piece);
-        area = c->left ? part : area - part;
-    }
-    w->sum += c->rising ? area : -area;
-}
-
-/* The pixels of a row from x on, up to full or empty ones, or as many as there
- * is room for: where the next ones begin. */
-static PEL_NOINLINE int32_t find_part(struct pel_smooth_outline *o, int32_t x,
-                                      struct part *p, struct window *w)
-{
-    p->some.x0 = w->next = x;
-    p->full.x1 = INT32_MIN;
-    for (w->x = x; w->x < o->seen.x1 && w->x < x + COLUMNS; w->x++) {
-        w->next = o->seen.x1;
-        w->sum = 0;
-        pel_smooth_visit_row(o, p->y, &w->crossing, add_side, w);
-        const uint8_t coverage = coverage_of(w->sum);
-        p->coverage[w->x - x] = coverage;
-        if (is_whole(coverage)) {
-            p->full.x1 = coverage ? w->next : INT32_MIN;
-            break;
-        }
-        w->next = w->x + 1;
-    }
-    p->some.x1 = p->full.x0 = w->x;
-    return w->next;
-}
-#else
 /* Some columns of a row, in which the areas right of its sides are added up. */
 struct window {
-#if PEL_SMOOTH_TINY
-    struct pel_smooth_crossing crossing;
-#else
     struct pel_smooth_crossing at[CROSSINGS];
     int32_t first, all; /* the first one of these, and how many there are */
     const struct pel_smooth_crossing *crossing; /* one of them */
-#endif
-    struct pel_span columns; /* that the side crosses */
-    int32_t height;          /* of the side, below 0 if it falls, 2^-15 px */
-    int32_t x, n;            /* columns from x on */
-    int32_t used; /* of them, up to the last one that a side crosses */
-    int32_t next; /* the first one behind them that a side crosses */
+    struct pel_span columns;                    /* that the side crosses */
+    int32_t height; /* of the side, below 0 if it falls, 2^-15 px */
+    int32_t x, n;   /* columns from x on */
+    int32_t used;   /* of them, up to the last one that a side crosses */
+    int32_t next;   /* the first one behind them that a side crosses */
     int32_t sum[COLUMNS + 1]; /* what each has more than the one before it, and
                                  what those up to `next` have, 2^-15 px */
 };
 
-static PEL_ALWAYS_INLINE const struct pel_smooth_crossing *crossing_of(
-    const struct window *w)
-{
-#if PEL_SMOOTH_TINY
-    return &w->crossing;
-#else
-    return w->crossing;
-#endif
-}
-
 /* Adds what lies right of the side in columns, which it crosses, and behind
  * them; or takes it away. */
-static PEL_SMOOTH_APART void add_columns(struct window *w)
+static inline void add_columns(struct window *w)
 {
-    const struct pel_smooth_crossing *const c = crossing_of(w);
+    const struct pel_smooth_crossing *const c = w->crossing;
     struct pel_smooth_arc_piece piece = {0, 0, INT32_MIN, 0};
     int32_t n = w->columns.x1 - w->columns.x0;
     int32_t *sum = w->sum + (w->columns.x1 - w->x);
@@ -139,9 +64,9 @@ static PEL_SMOOTH_APART void add_columns(struct window *w)
 }
 
 /* Finds the columns of the window that the side crosses: false: none. */
-static PEL_SMOOTH_APART bool note_side(struct window *w)
+static inline bool note_side(struct window *w)
 {
-    const struct pel_smooth_crossing *const c = crossing_of(w);
+    const struct pel_smooth_crossing *const c = w->crossing;
     const int32_t h = pel_smooth_height(&c->strip), end = w->x + w->n;
     const struct pel_span columns = pel_smooth_crossing_columns(c);
     w->height = c->rising ? h : -h;
@@ -157,12 +82,6 @@ static PEL_SMOOTH_APART bool note_side(struct window *w)
     return true;
 }
 
-static PEL_ALWAYS_INLINE void add_side(void *window)
-{
-    if (note_side(window))
-        add_columns(window);
-}
-
 static void clear_window(struct pel_smooth_outline *o, int32_t x,
                          struct window *w)
 {
@@ -175,14 +94,6 @@ static void clear_window(struct pel_smooth_outline *o, int32_t x,
         ((volatile int32_t *)w->sum)[i] = 0;
 }
 
-#if PEL_SMOOTH_TINY
-static PEL_NOINLINE void fill_window(struct pel_smooth_outline *o, int32_t x,
-                                     int32_t y, struct window *w)
-{
-    clear_window(o, x, w);
-    pel_smooth_visit_row(o, y, &w->crossing, add_side, w);
-}
-#else
 static void fill_window(struct pel_smooth_outline *o, int32_t x, int32_t y,
                         struct window *w)
 {
@@ -195,19 +106,18 @@ static void fill_window(struct pel_smooth_outline *o, int32_t x, int32_t y,
         const int32_t n = pel_min(w->all - first, CROSSINGS);
         for (int32_t i = 0; i < n; i++) {
             w->crossing = &w->at[i];
-            add_side(w);
+            if (note_side(w))
+                add_columns(w);
         }
         first += CROSSINGS;
     } while (first < w->all);
 }
-#endif
 
 /* The pixels of a window from the first to the last that is covered, or those
  * of them that sides cross, and the full ones behind them: where the next ones
  * begin. All of these up to `next` are alike, or the window is as long as it
  * can be. */
-static PEL_SMOOTH_APART int32_t read_window(const struct window *w,
-                                            struct part *p)
+static inline int32_t read_window(const struct window *w, struct part *p)
 {
     int32_t sum = 0, i = 0, first = 0, some = 0;
     for (;; i++) {
@@ -228,36 +138,6 @@ static PEL_SMOOTH_APART int32_t read_window(const struct window *w,
     }
 }
 
-static PEL_ALWAYS_INLINE int32_t find_part(struct pel_smooth_outline *o,
-                                           int32_t x, struct part *p,
-                                           struct window *w)
-{
-    fill_window(o, x, p->y, w);
-    return read_window(w, p);
-}
-#endif
-
-#if PEL_SMOOTH_TINY
-/* What finds a part of a row, and then what paints it. */
-union work {
-    struct window window;
-    struct pel_smooth_drawing drawing;
-};
-
-void pel_smooth_outline_paint(struct pel_smooth_outline *o)
-{
-    union work work;
-    struct part p;
-    for (p.y = o->seen.y0; p.y < o->seen.y1; p.y++)
-        for (int32_t x = o->seen.x0; x < o->seen.x1;) {
-            x = find_part(o, x, &p, &work.window);
-            pel_smooth_draw_full(&work.drawing, &o->smooth, p.y, &p.full);
-            if (p.some.x0 < p.some.x1)
-                pel_smooth_draw(&work.drawing, &o->smooth, p.y, &p.some,
-                                p.coverage);
-        }
-}
-#else
 /* Paints a row, and its mirror image. */
 static PEL_NOINLINE_32 void paint_row(struct pel_smooth_outline *o, int32_t y)
 {
@@ -266,7 +146,8 @@ static PEL_NOINLINE_32 void paint_row(struct pel_smooth_outline *o, int32_t y)
     p.y = y;
     w.first = -1;
     for (int32_t x = o->seen.x0; x < o->seen.x1;) {
-        x = find_part(o, x, &p, &w);
+        fill_window(o, x, y, &w);
+        x = read_window(&w, &p);
         const int32_t n = p.full.x0 - p.some.x0;
         struct pel_smooth_row row = {y, p.some.x0, n, p.full.x1 - p.full.x0,
                                      0, p.coverage};

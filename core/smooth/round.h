@@ -3,18 +3,54 @@
 #define PEL_SMOOTH_ROUND_H
 
 #include "outline.h"
+#include "short_outline.h"
 
-/* Sets an outline of a disc of legal coordinates, which is one curve, or
- * without a smaller one, which is the second, if inner > 0. Then its quarters
- * may be spread, it may become an oval, and get other sides. */
-void pel_smooth_round_set(struct pel_smooth_outline *outline,
-                          struct pel_smooth_curve *curve,
-                          struct pel_point center, int32_t inner,
-                          int32_t outer);
+#if PEL_SMOOTH_TINY
+/* A disc; or without a smaller one, if radius[1] > 0. */
+struct pel_smooth_round {
+    struct pel_smooth_short_outline outline; /* first */
+    struct pel_point center;                 /* of its first quarter, .. */
+    struct pel_point spread; /* .. and from there to the third one's */
+    int32_t radius[2];
+    uint32_t inverse[2];
+};
 
-/* Begins to paint it: as pel_smooth_outline_begin. */
-bool pel_smooth_round_begin(const struct pel_surface *surface,
-                            struct pel_smooth_outline *outline,
-                            const struct pel_paint *paint);
+/* Sets a curve of it (struct pel_smooth_kind). */
+bool pel_smooth_round_curve(const struct pel_smooth_short_outline *round,
+                            int32_t i, struct pel_smooth_curve *curve);
+
+extern const struct pel_smooth_kind pel_smooth_round_kind;
+
+/* Begins to paint a whole curve, which reaches so far from its centre. */
+bool pel_smooth_curve_begin(struct pel_smooth_short_outline *outline,
+                            const struct pel_smooth_curve *curve,
+                            int32_t reach);
+
+/* Paints what is to be seen of circles. */
+static PEL_ALWAYS_INLINE void pel_smooth_round_paint(
+    struct pel_smooth_round *round)
+{
+    pel_smooth_short_outline_paint(&round->outline, &pel_smooth_round_kind);
+}
+#else
+struct pel_smooth_round {
+    struct pel_smooth_outline outline; /* first */
+    struct pel_point center, spread;
+    int32_t radius[2];
+    struct pel_smooth_curve curve[2];
+};
+
+bool pel_smooth_curve_begin(struct pel_smooth_outline *outline,
+                            struct pel_smooth_curve *curve, int32_t reach);
+
+static inline void pel_smooth_round_paint(struct pel_smooth_round *round)
+{
+    pel_smooth_outline_paint(&round->outline);
+}
+#endif
+
+/* Begins to paint it, of legal coordinates: center, spread, radius and `smooth`
+ * are set. False: nothing is to be seen. */
+bool pel_smooth_round_begin(struct pel_smooth_round *round);
 
 #endif

@@ -2,31 +2,27 @@
 
 #include "round.h"
 
-struct disc {
-    struct pel_smooth_outline outline;
-    struct pel_smooth_curve curve;
-};
-
 /* False: nothing is to be seen. */
-static PEL_NOINLINE_32 bool begin(struct disc *disc,
-                                  const struct pel_surface *surface,
-                                  struct pel_point center, int32_t radius,
-                                  const struct pel_paint *paint)
+static PEL_NOINLINE_32 bool begin(struct pel_smooth_round *disc)
 {
-    const bool legal = pel_point_legal(center) && pel_radius_legal(radius);
+    const int32_t radius = disc->radius[0];
+    const bool legal =
+        pel_point_legal(disc->center) && pel_radius_legal(radius);
     PEL_ASSERT(legal);
-    PEL_HINT(pel_in_subpixels(&center, 1, radius));
-    if (!legal || radius == 0)
-        return false;
-    pel_smooth_round_set(&disc->outline, &disc->curve, center, 0, radius);
-    return pel_smooth_round_begin(surface, &disc->outline, paint);
+    PEL_HINT(pel_in_subpixels(&disc->center, 1, radius));
+    return legal && radius > 0 && pel_smooth_round_begin(disc);
 }
 
 void pel_smooth_circle(const struct pel_surface *surface,
                        struct pel_point center, int32_t radius,
                        const struct pel_paint *paint)
 {
-    struct disc disc;
-    if (begin(&disc, surface, center, radius, paint))
-        pel_smooth_outline_paint(&disc.outline);
+    struct pel_smooth_round disc;
+    disc.outline.smooth = (struct pel_smooth){surface, paint};
+    disc.center = center;
+    disc.radius[0] = radius;
+    disc.radius[1] = 0;
+    disc.spread.x = disc.spread.y = 0;
+    if (begin(&disc))
+        pel_smooth_round_paint(&disc);
 }

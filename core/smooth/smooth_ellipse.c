@@ -6,40 +6,33 @@
 #include "../base/sqrt.h"
 #include "round.h"
 
-/* How far from one axis the ellipse is, by the distance from the other. */
-struct axis {
-    int32_t radius; /* of the distance, 1/256 px */
-    int32_t most;   /* the other one, 2^-16 px */
-    uint32_t ratio; /* of the other one to it, 2^-shift, from 2^31 on */
-    int32_t shift;
-};
-
 /* Pieces are also seen in a picture of which it is the circle of radius 1
- * (bulge_of). */
+ * (bulge_of). Of what there are two of, the first belongs to x by y, which has
+ * the radius y. */
 struct ellipse {
     struct pel_smooth_oval oval; /* first */
-    struct axis axis[2];         /* x by y; y by x */
-    uint32_t inverse[2];         /* 2^24 / radius of x, of y */
-    int32_t fine;                /* bits of a piece's size beyond 16 */
+    const struct pel_ellipse_shape *shape;
+    uint32_t ratio[2];   /* of the other radius to it, 2^-shift, from 2^31 on */
+    uint32_t inverse[2]; /* 2^24 / radius of x, of y */
+    uint8_t shift[2];
+    uint8_t fine; /* bits of a piece's size beyond 16 */
 };
 
-static void set_axis(struct axis *axis, int32_t radius, int32_t other)
+static void set_axis(struct ellipse *e, int i, int32_t radius, int32_t other)
 {
     uint64_t n = (uint64_t)other;
-    axis->radius = radius;
-    axis->most = other * 256;
-    axis->shift = 0;
-    for (; n >> 31 < (uint64_t)radius; n <<= 1)
-        axis->shift++;
-    axis->ratio = pel_divide(n, (uint32_t)radius);
+    for (e->shift[i] = 0; n >> 31 < (uint64_t)radius; n <<= 1)
+        e->shift[i]++;
+    e->ratio[i] = pel_divide(n, (uint32_t)radius);
+    e->inverse[i] = pel_divide(UINT32_C(1) << 24, (uint32_t)other);
 }
 
 /* The square of the root that `root_at` takes, times 4^up; below 2^46 at
  * first.
  */
-static uint64_t square_at(const struct axis *axis, int32_t distance, int *up)
+static uint64_t square_at(int32_t radius, int32_t distance, int *up)
 {
-    uint64_t n = (uint64_t)(pel_square(axis->radius) - pel_square(distance));
+    uint64_t n = (uint64_t)(pel_square(radius) - pel_square(distance));
     for (*up = 0; n >> 60 == 0; n <<= 2)
         ++*up;
     return n;
@@ -47,16 +40,22 @@ static uint64_t square_at(const struct axis *axis, int32_t distance, int *up)
 
 /* 2^-16 px, at a distance in 1/256 px. Of 31 bits of the root and 32 of the
  * ratio an error of 2^-29 remains. */
-static PEL_NOINLINE int32_t root_at(const struct axis *axis, int32_t distance)
+static int32_t root_at(const struct pel_smooth_oval *oval, int32_t distance,
+                       bool down)
 {
+    const struct ellipse *const e = (const void *)oval;
+    const struct pel_point *const r = &e->shape->radius;
+    const int32_t radius = down ? r->x : r->y;
     struct pel_root root;
     int up;
-    if (pel_magnitude(distance) >= axis->radius)
+    if (distance == 0 && !down)
+        return r->x * 256;
+    if (pel_magnitude(distance) >= radius)
         return 0;
-    pel_square_root(square_at(axis, distance, &up), &root);
-    const int shift = pel_min(axis->shift + up - 8, 63);
-    const uint64_t at = pel_multiply(root.root, axis->ratio) >> shift;
-    return pel_min((int32_t)at, axis->most);
+    pel_square_root(square_at(radius, distance, &up), &root);
+    const int shift = pel_min(e->shift[down] + up - 8, 63);
+    const uint64_t at = pel_multiply(root.root, e->ratio[down]) >> shift;
+    return pel_min((int32_t)at, (down ? r->y : r->x) * 256);
 }
 
 /* A length in the picture of the circle, in 2^-15 2^-fine: at most 2^15. */
@@ -102,20 +101,14 @@ static uint32_t bulge_of(const struct pel_smooth_oval *oval,
     return (area + (area * (more * k >> 16) >> 16)) * 21845 >> 16;
 }
 
-static int32_t at(const struct pel_smooth_oval *oval, int32_t distance,
-                  bool down)
+static PEL_NOINLINE void set_ellipse(struct ellipse *e,
+                                     const struct pel_ellipse_shape *shape)
 {
-    const struct ellipse *const e = (const void *)oval;
-    return root_at(&e->axis[down], distance);
-}
-
-static PEL_NOINLINE void set_ellipse(struct ellipse *e, int32_t a, int32_t b)
-{
-    e->oval = (struct pel_smooth_oval){at, bulge_of};
-    set_axis(&e->axis[0], b, a);
-    set_axis(&e->axis[1], a, b);
-    e->inverse[0] = pel_divide(UINT32_C(1) << 24, (uint32_t)a);
-    e->inverse[1] = pel_divide(UINT32_C(1) << 24, (uint32_t)b);
+    const int32_t a = shape->radius.x, b = shape->radius.y;
+    e->oval = (struct pel_smooth_oval){root_at, bulge_of};
+    e->shape = shape;
+    set_axis(e, 0, b, a);
+    set_axis(e, 1, a, b);
     e->fine = 0;
     while (pel_min(a, b) >> (e->fine + 9) > 0)
         e->fine++;
@@ -123,29 +116,88 @@ static PEL_NOINLINE void set_ellipse(struct ellipse *e, int32_t a, int32_t b)
 
 static bool is_legal(const struct pel_ellipse_shape *shape)
 {
-    return pel_point_legal(shape->center) &&
-           pel_radius_legal(shape->radius.x) &&
-           pel_radius_legal(shape->radius.y);
+    const struct pel_point r = shape->radius;
+    const bool legal = pel_point_legal(shape->center) &&
+                       pel_radius_legal(r.x) && pel_radius_legal(r.y);
+    PEL_ASSERT(legal);
+    PEL_HINT(pel_in_subpixels(&shape->center, 1, r.x | r.y));
+    return legal && r.x > 0 && r.y > 0;
+}
+
+/* As a circle of the upright radius that is stretched. */
+static void set_curve(struct pel_smooth_curve *curve, const struct ellipse *e)
+{
+    pel_smooth_circle_begin(&curve->circle, e->shape->radius.y);
+    curve->center = e->shape->center;
+    curve->spread.x = curve->spread.y = 0;
+    curve->circle.of.oval = &e->oval;
+    curve->circle.down = PEL_SMOOTH_OVAL;
+}
+
+#if PEL_SMOOTH_TINY
+struct oval {
+    struct pel_smooth_short_outline outline; /* first */
+    struct ellipse ellipse;
+};
+
+static bool curve_of(const struct pel_smooth_short_outline *outline, int32_t i,
+                     struct pel_smooth_curve *curve)
+{
+    PEL_CAST(void, i);
+    set_curve(curve, &((const struct oval *)(const void *)outline)->ellipse);
+    return true;
+}
+
+static const struct pel_smooth_kind kind = {.curves = 1, .curve = curve_of};
+
+static bool begin_oval(struct oval *o)
+{
+    struct pel_smooth_curve curve;
+    set_curve(&curve, &o->ellipse);
+    return pel_smooth_curve_begin(&o->outline, &curve,
+                                  o->ellipse.shape->radius.x);
+}
+
+static PEL_ALWAYS_INLINE void paint_oval(struct oval *o)
+{
+    pel_smooth_short_outline_paint(&o->outline, &kind);
+}
+#else
+struct oval {
+    struct pel_smooth_outline outline;
+    struct pel_smooth_curve curve;
+    struct ellipse ellipse;
+};
+
+static bool begin_oval(struct oval *o)
+{
+    set_curve(&o->curve, &o->ellipse);
+    return pel_smooth_curve_begin(&o->outline, &o->curve,
+                                  o->ellipse.shape->radius.x);
+}
+
+static inline void paint_oval(struct oval *o)
+{
+    pel_smooth_outline_paint(&o->outline);
+}
+#endif
+
+/* False: nothing is to be seen. */
+static PEL_NOINLINE_32 bool begin(struct oval *o,
+                                  const struct pel_ellipse_shape *shape)
+{
+    if (!is_legal(shape))
+        return false;
+    set_ellipse(&o->ellipse, shape);
+    return begin_oval(o);
 }
 
 void pel_smooth_ellipse(const struct pel_surface *surface,
                         const struct pel_ellipse_shape *shape,
                         const struct pel_paint *paint)
 {
-    const struct pel_point c = shape->center, r = shape->radius;
-    const bool legal = is_legal(shape);
-    struct ellipse e;
-    struct pel_smooth_outline outline;
-    struct pel_smooth_curve curve;
-    PEL_ASSERT(legal);
-    PEL_HINT(pel_in_subpixels(&shape->center, 1, r.x | r.y));
-    if (!legal || r.x == 0 || r.y == 0)
-        return;
-    set_ellipse(&e, r.x, r.y);
-    pel_smooth_round_set(&outline, &curve, c, 0, r.y);
-    curve.circle.of.oval = &e.oval;
-    curve.circle.down = PEL_SMOOTH_OVAL;
-    curve.circle.reach = r.x * 256;
-    if (pel_smooth_round_begin(surface, &outline, paint))
-        pel_smooth_outline_paint(&outline);
+    struct oval o;
+    o.outline.smooth = (struct pel_smooth){surface, paint};
+    if (begin(&o, shape))
+        paint_oval(&o);
 }

@@ -29,11 +29,15 @@ static uint32_t square_at(const struct pel_smooth_circle *c, int32_t distance,
     return (uint32_t)n;
 }
 
-int32_t pel_smooth_arc_at(const struct pel_smooth_circle *c, int32_t distance,
-                          bool down)
+int32_t pel_smooth_reach(const struct pel_smooth_circle *c)
 {
-    if (c->down == PEL_SMOOTH_OVAL)
-        return c->of.oval->at(c->of.oval, distance, down);
+    return c->down == PEL_SMOOTH_OVAL ? c->of.oval->at(c->of.oval, 0, false)
+                                      : c->radius * 256;
+}
+
+static PEL_SMOOTH_APART int32_t circle_at(const struct pel_smooth_circle *c,
+                                          int32_t distance)
+{
     const uint32_t r = (uint32_t)c->radius, d = (uint32_t)distance;
     int32_t shift = 0;
     if (distance >= c->radius)
@@ -45,17 +49,29 @@ int32_t pel_smooth_arc_at(const struct pel_smooth_circle *c, int32_t distance,
     return (int32_t)(shift < 2 ? root >> (2 - shift) : root << (shift - 2));
 }
 
-void pel_smooth_circle_set(struct pel_smooth_circle *c, int32_t radius)
+int32_t pel_smooth_arc_at(const struct pel_smooth_circle *c, int32_t distance,
+                          bool down)
 {
-    const uint32_t r = (uint32_t)pel_max(radius, 1);
+    if (c->down == PEL_SMOOTH_OVAL)
+        return c->of.oval->at(c->of.oval, distance, down);
+    return circle_at(c, distance);
+}
+
+void pel_smooth_circle_begin(struct pel_smooth_circle *c, int32_t radius)
+{
     c->radius = radius;
-    c->reach = radius * 256;
     c->down = c->first = 0;
     c->count = 4;
     c->hole = false;
-    while (r >> c->down >= SMALL)
+    while (radius >> c->down >= SMALL)
         c->down++;
-    c->of.inverse = pel_divide(UINT32_C(1) << (20 + c->down), r);
+}
+
+void pel_smooth_circle_set(struct pel_smooth_circle *c, int32_t radius)
+{
+    pel_smooth_circle_begin(c, radius);
+    c->of.inverse =
+        pel_divide(UINT32_C(1) << (20 + c->down), (uint32_t)pel_max(radius, 1));
 }
 
 /* The step is taken with 16 bits, and the rise with as many. A line that moves

@@ -32,7 +32,8 @@ struct pel_smooth_arc_piece {
  * upright radius. */
 struct pel_smooth_oval {
     /* How far from one axis the arc is at a distance from the other, 1/256 px:
-     * from the upright one by what it is from the level one, or `down`. */
+     * from the upright one by what it is from the level one, or `down`. At 0
+     * from the level one it is its radius. */
     int32_t (*at)(const struct pel_smooth_oval *oval, int32_t distance,
                   bool down);
     /* The area between a piece and its chord, 2^-15 px. */
@@ -46,7 +47,6 @@ enum { PEL_SMOOTH_OVAL = 255 };
 /* What belongs to a radius, and the quarters of its circle that a shape has. */
 struct pel_smooth_circle {
     int32_t radius; /* 1/256 px */
-    int32_t reach;  /* how far it is from the upright axis, 2^-16 px */
     union {
         uint32_t inverse; /* 2^(20 + down) / radius */
         const struct pel_smooth_oval *oval;
@@ -73,8 +73,13 @@ struct pel_smooth_strip {
 #endif
 };
 
-/* All four quarters of a legal radius, forwards, and no oval. */
+/* All four quarters of a legal radius, forwards, and no oval; all but the
+ * inverse. */
 void pel_smooth_circle_set(struct pel_smooth_circle *circle, int32_t radius);
+void pel_smooth_circle_begin(struct pel_smooth_circle *circle, int32_t radius);
+
+/* How far it is from the upright axis, 2^-16 px. */
+int32_t pel_smooth_reach(const struct pel_smooth_circle *circle);
 
 /* How far from one axis the arc is at a distance from the other, 1/256 px: see
  * pel_smooth_oval. */

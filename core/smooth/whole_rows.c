@@ -46,7 +46,7 @@ static PEL_ALWAYS_INLINE int32_t width_at(const struct pel_smooth_strip *s,
     int32_t shift = 0;
     if (s->bulge == 0)
         return pel_smooth_arc_at(c, height >> 8, false);
-    return height < c->reach
+    return height < c->radius * 256
                ? pel_smooth_root_at(r * r, (uint32_t)height >> 8, &shift)
                : 0;
 }
@@ -67,7 +67,7 @@ static void move_down(struct pel_smooth_strip *s, bool below)
     } else {
         s->far = s->near;
         s->near -= 65536;
-        near = s->near > 0 ? width_at(s, s->near) : s->circle->reach;
+        near = s->near > 0 ? width_at(s, s->near) : pel_smooth_reach(s->circle);
     }
     s->at_near = near;
     s->at_far = pel_min(far, near);

@@ -1,0 +1,214 @@
+#include "short_outline.h"
+
+#if PEL_SMOOTH_TINY
+#include "outline_row.h"
+
+bool pel_smooth_short_outline_begin(struct pel_smooth_short_outline *t,
+                                    const struct pel_rect *box)
+{
+    t->seen = pel_rect_intersect(box, &t->smooth.target->clip);
+    t->part.full.x1 = t->seen.x0;
+    return !pel_rect_empty(&t->seen) &&
+           pel_smooth_begin(&t->smooth, t->smooth.target, t->smooth.paint);
+}
+
+/* False: no quarter of the curve is in the row. */
+static bool find_ends(struct pel_smooth_curve *c, int32_t y)
+{
+    if (!pel_smooth_curve_in(c, y))
+        return false;
+    c->at[0] = pel_smooth_curve_at(c, y);
+    c->at[1] = pel_smooth_curve_at(c, y + 1);
+    return true;
+}
+
+/* Finds the (k & 7)th quarter of curve k >> 3; false: it has nothing in the
+ * row.
+ */
+static PEL_NOINLINE bool find_quarter(struct pel_smooth_short_outline *t,
+                                      const struct pel_smooth_kind *kind,
+                                      int32_t k)
+{
+    struct pel_smooth_window *const w = &t->of.window;
+    if ((k & 7) == 0 && !(kind->curve(t, k >> 3, &w->curve) &&
+                          find_ends(&w->curve, t->seen.y0)))
+        w->curve.circle.count = 0;
+    return (k & 7) < w->curve.circle.count &&
+           pel_smooth_find_quarter(&w->curve, t->seen.y0, k & 7,
+                                   &w->crossing) &&
+           (!kind->cut || kind->cut(t, k >> 3, k & 7));
+}
+
+static void add_side(struct pel_smooth_short_outline *t);
+
+/* Adds all sides of the row. They are found in functions that have returned
+ * when they are added. */
+static PEL_ALWAYS_INLINE void add_sides(struct pel_smooth_short_outline *t,
+                                        const struct pel_smooth_kind *kind)
+{
+    for (int32_t k = 0; k < kind->curves * 8; k++)
+        if (find_quarter(t, kind, k))
+            add_side(t);
+    for (int32_t i = 0; i < kind->others; i++)
+        if (kind->other(t, i, &t->of.window.crossing))
+            add_side(t);
+}
+
+/* Where ends meet a sum may be more than a pixel. */
+static uint8_t coverage_of(int32_t sum)
+{
+    return pel_smooth_coverage((uint32_t)pel_min(sum, 32768));
+}
+
+/* Is it of a full pixel, or of one that is empty? */
+static bool is_whole(uint8_t coverage)
+{
+    return (uint8_t)(coverage + 1) < 2;
+}
+
+#if PEL_SMALL_CODE
+/* Adds what lies right of a side in the pixel, or takes it away. */
+static PEL_NOINLINE void add_side(struct pel_smooth_short_outline *t)
+{
+    const struct pel_smooth_crossing *const c = &t->of.window.crossing;
+    const struct pel_span columns = pel_smooth_crossing_columns(c);
+    const int32_t x = t->part.full.x1;
+    int32_t area = pel_smooth_height(&c->strip);
+    if (x < columns.x1)
+        t->part.some.x1 = pel_min(t->part.some.x1, pel_max(columns.x0, x + 1));
+    if (x < columns.x0)
+        return;
+    if (x < columns.x1) {
+        const int32_t u = pel_smooth_boundary(c, c->left ? ~x : x);
+        struct pel_smooth_arc_piece piece = {0, 0, INT32_MIN, 0};
+        const int32_t part =
+            (int32_t)pel_smooth_column_area(&c->strip, u, &piece);
+        area = c->left ? part : area - part;
+    }
+    t->of.window.sum[0] += c->rising ? area : -area;
+}
+
+/* The pixels of a row, up to full or empty ones, or as many as there is room
+ * for. */
+static PEL_ALWAYS_INLINE void find_part(struct pel_smooth_short_outline *t,
+                                        const struct pel_smooth_kind *kind)
+{
+    struct pel_smooth_part *const p = &t->part;
+    p->some.x0 = p->full.x1;
+    for (; p->full.x1 < t->seen.x1 &&
+           p->full.x1 < p->some.x0 + PEL_SMOOTH_COLUMNS;
+         p->full.x1++) {
+        t->part.some.x1 = t->seen.x1;
+        t->of.window.sum[0] = 0;
+        add_sides(t, kind);
+        const uint8_t coverage = coverage_of(t->of.window.sum[0]);
+        p->coverage[p->full.x1 - p->some.x0] = coverage;
+        if (is_whole(coverage)) {
+            const int32_t next = p->some.x1;
+            p->some.x1 = p->full.x1;
+            p->full.x0 = coverage ? p->full.x1 : next;
+            p->full.x1 = next;
+            return;
+        }
+    }
+    p->some.x1 = p->full.x0 = p->full.x1;
+}
+#else
+/* Adds what lies right of the side in its columns, and behind them; or takes it
+ * away. Until a part is found its some.x0 is the next column behind the window
+ * that a side crosses, and some.x1 the number of those up to the last one in it
+ * that a side crosses. */
+static PEL_NOINLINE void add_side(struct pel_smooth_short_outline *t)
+{
+    const struct pel_smooth_crossing *const c = &t->of.window.crossing;
+    const int32_t x = t->part.full.x1;
+    const int32_t end = pel_min(x + PEL_SMOOTH_COLUMNS, t->seen.x1);
+    struct pel_smooth_arc_piece piece = {0, 0, INT32_MIN, 0};
+    struct pel_span columns = pel_smooth_crossing_columns(c);
+    int32_t height = pel_smooth_height(&c->strip);
+    if (!c->rising)
+        height = -height;
+    if (columns.x1 <= x)
+        t->of.window.sum[0] += height;
+    if (columns.x1 > end)
+        t->part.some.x0 = pel_min(t->part.some.x0, pel_max(columns.x0, end));
+    columns.x0 = pel_max(columns.x0, x);
+    columns.x1 = pel_min(columns.x1, end);
+    int32_t n = columns.x1 - columns.x0;
+    if (n <= 0)
+        return;
+    t->part.some.x1 = pel_max(t->part.some.x1, columns.x1 - x);
+    int32_t *sum = t->of.window.sum + (columns.x1 - x);
+    int32_t u = pel_smooth_boundary(c, c->left ? -columns.x1 : columns.x0);
+    *sum += height;
+    sum -= c->left ? 1 : n;
+    for (; n > 0; n--, u += 65536, sum += c->left ? -1 : 1) {
+        int32_t area = (int32_t)pel_smooth_column_area(&c->strip, u, &piece);
+        if (!c->rising)
+            area = -area;
+        if (!c->left)
+            area = height - area;
+        sum[0] += area;
+        sum[1] -= area;
+    }
+}
+
+static PEL_ALWAYS_INLINE void fill_window(struct pel_smooth_short_outline *t,
+                                          const struct pel_smooth_kind *kind)
+{
+    t->part.some = (struct pel_span){t->seen.x1, 0};
+    /* volatile: no call of memset, which may be the only one */
+    for (int32_t i = 0; i <= PEL_SMOOTH_COLUMNS; i++)
+        ((volatile int32_t *)t->of.window.sum)[i] = 0;
+    add_sides(t, kind);
+}
+
+/* The pixels of a window from the first to the last that is covered, or those
+ * of them that sides cross, and the full ones behind them. All of these up to
+ * the next column that a side crosses are alike, or the window is as long as it
+ * can be. */
+static PEL_NOINLINE void read_window(struct pel_smooth_short_outline *t)
+{
+    struct pel_smooth_part *const p = &t->part;
+    const int32_t x = p->full.x1, next = p->some.x0;
+    const int32_t most = pel_min(t->seen.x1 - x, PEL_SMOOTH_COLUMNS);
+    int32_t sum = 0, i = 0, first = 0, some = 0;
+    for (;; i++) {
+        sum += t->of.window.sum[i];
+        const uint8_t coverage = coverage_of(sum);
+        if (i >= p->some.x1 && (i == most || is_whole(coverage))) {
+            p->full.x1 = is_whole(coverage) ? next : x + i;
+            p->full.x0 = coverage == 255 ? x + i : p->full.x1;
+            p->some = (struct pel_span){x + first, x + some};
+            return;
+        }
+        if (coverage)
+            some = i + 1;
+        if (some)
+            p->coverage[i - first] = coverage;
+        else
+            first = i + 1;
+    }
+}
+
+static PEL_ALWAYS_INLINE void find_part(struct pel_smooth_short_outline *t,
+                                        const struct pel_smooth_kind *kind)
+{
+    fill_window(t, kind);
+    read_window(t);
+}
+#endif
+
+bool pel_smooth_next_part(struct pel_smooth_short_outline *t,
+                          const struct pel_smooth_kind *kind)
+{
+    if (t->part.full.x1 >= t->seen.x1) {
+        t->part.full.x1 = t->seen.x0;
+        t->seen.y0++;
+    }
+    if (t->seen.y0 >= t->seen.y1)
+        return false;
+    find_part(t, kind);
+    return true;
+}
+#endif
