@@ -40,15 +40,52 @@ int pel_bits_of(uint64_t v)
     return bits;
 }
 
-/* By halves of 16 bits: the sum in the middle may leave a carry. */
+/* By halves of 16 bits: no sum of a product and the upper half of another, or
+ * the lower half of a sum, leaves a carry. Compilers do it in two registers
+ * more than Thumb-1 has without the stack. */
+#if PEL_FEW_REGISTERS && defined(__GNUC__)
+uint64_t pel_multiply(uint32_t a, uint32_t b)
+{
+    register uint32_t x __asm__("r0") = a;
+    register uint32_t y __asm__("r1") = b;
+    register uint32_t high __asm__("r2"), c __asm__("r3"), d __asm__("r4");
+    register uint32_t low __asm__("r12");
+    __asm__(".syntax unified\n\t"
+            "movs %2, %0\n\t"
+            "muls %2, %1, %2\n\t"
+            "mov %3, %2\n\t"
+            "lsrs %2, %1, #16\n\t"
+            "lsrs %4, %0, #16\n\t"
+            "uxth %1, %1\n\t"
+            "uxth %0, %0\n\t"
+            "movs %5, %0\n\t"
+            "muls %5, %1, %5\n\t"
+            "lsrs %5, %5, #16\n\t"
+            "muls %1, %4, %1\n\t"
+            "adds %5, %5, %1\n\t"
+            "muls %0, %2, %0\n\t"
+            "muls %2, %4, %2\n\t"
+            "lsrs %1, %5, #16\n\t"
+            "adds %2, %2, %1\n\t"
+            "uxth %5, %5\n\t"
+            "adds %0, %0, %5\n\t"
+            "lsrs %0, %0, #16\n\t"
+            "adds %2, %2, %0"
+            : "+l"(x), "+l"(y), "=&l"(high), "=&r"(low), "=&l"(c), "=&l"(d)
+            :
+            : "cc");
+    return (uint64_t)high << 32 | low;
+}
+#else
 uint64_t pel_multiply(uint32_t a, uint32_t b)
 {
     const uint32_t a0 = a & 0xFFFF, a1 = a >> 16;
     const uint32_t b0 = b & 0xFFFF, b1 = b >> 16;
-    const uint32_t one = a0 * b1, middle = a1 * b0 + (a0 * b0 >> 16);
-    const uint32_t sum = one + middle;
-    const uint32_t high = a1 * b1 + (sum >> 16) + ((uint32_t)(sum < one) << 16);
+    const uint32_t middle = a1 * b0 + (a0 * b0 >> 16);
+    const uint32_t sum = a0 * b1 + (middle & 0xFFFF);
+    const uint32_t high = a1 * b1 + (middle >> 16) + (sum >> 16);
     return (uint64_t)high << 32 | a * b;
 }
+#endif
 
 #endif

@@ -20,8 +20,9 @@ struct part {
 static PEL_NOINLINE_32 void set_channel(struct part *r,
                                         const struct pel_plane *channel)
 {
-    r->at = channel->at + pel_times(channel->dx, r->x) +
-            pel_times(channel->dy, r->y);
+    r->at = channel->at;
+    r->at += pel_times(channel->dx, r->x);
+    r->at += pel_times(channel->dy, r->y);
 }
 
 #if PEL_VECTORS

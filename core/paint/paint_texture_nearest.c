@@ -2,20 +2,18 @@
 #include "paint_texture_fetch.h"
 
 /* The texel where the coordinate is, or the one that stands for it. */
-static inline int32_t in_picture(uint64_t *at, struct pel_texture_side side)
+static inline int32_t in_picture(uint64_t *at, int32_t size, int wrap)
 {
+    const struct pel_texture_side side = pel_texture_side_of(size, wrap);
     return pel_texture_texel(side, pel_texture_index(at, side.period));
 }
 
 static void outer_run(const struct pel_texture *p, struct pel_texture_axes *a,
                       int32_t n, pel_color *out)
 {
-    const struct pel_texture_side across =
-        pel_texture_side_of(p->width, p->wrap_u);
-    const struct pel_texture_side down =
-        pel_texture_side_of(p->height, p->wrap_v);
     for (; n > 0; n--, pel_texture_axes_step(a, p)) {
-        int32_t u = in_picture(&a->u, across), v = in_picture(&a->v, down);
+        const int32_t u = in_picture(&a->u, p->width, p->wrap_u);
+        const int32_t v = in_picture(&a->v, p->height, p->wrap_v);
         *out++ = pel_texel(p, p->kind, u, v);
     }
 }
@@ -175,13 +173,10 @@ static PEL_NOINLINE void copy_outer_run(const struct copy *c,
                                         struct pel_texture_axes *a)
 {
     const struct pel_texture *p = c->paint;
-    const struct pel_texture_side across =
-        pel_texture_side_of(p->width, p->wrap_u);
-    const struct pel_texture_side down =
-        pel_texture_side_of(p->height, p->wrap_v);
     for (pel_word16 *out = c->out; out != c->end; out++) {
-        *out = texel16(p->memory, p->stride, in_picture(&a->u, across),
-                       in_picture(&a->v, down));
+        *out = texel16(p->memory, p->stride,
+                       in_picture(&a->u, p->width, p->wrap_u),
+                       in_picture(&a->v, p->height, p->wrap_v));
         pel_texture_axes_step(a, p);
     }
 }
