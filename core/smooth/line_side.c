@@ -67,15 +67,6 @@ static int64_t line_at(struct pel_smooth_line *l, int32_t y)
     return l->at >> 16;
 }
 
-static inline void set_crossing(struct pel_smooth_crossing *c,
-                                const struct pel_smooth_line *l, int64_t first,
-                                int32_t way)
-{
-    c->strip.slope = l->slope;
-    c->rising = l->rising;
-    pel_smooth_line_cross(c, first, way);
-}
-
 /* A line, or the upper or lower half of one that may be too wide. */
 static PEL_NOINLINE bool find_part(struct pel_smooth_outline *outline,
                                    int32_t y, int32_t i,
@@ -95,12 +86,33 @@ static PEL_NOINLINE bool find_part(struct pel_smooth_outline *outline,
         return false;
     const int64_t a = end[0].y < row ? line_at(l, y) : end[0].x;
     const int64_t b = end[1].y > row + 65536 ? line_at(l, y + 1) : end[1].x;
-    set_crossing(c, l, a < b ? a : b, (int32_t)(b - a));
+    c->strip.slope = l->slope;
+    c->rising = l->rising;
+    pel_smooth_line_cross(c, a < b ? a : b, (int32_t)(b - a));
     return true;
 }
 
-/* Moves a line on by a row, or stays where it has been moved to. False: it
- * begins or ends there, or has not been in the row above. */
+/* Moves a line on by a whole row. */
+static inline void cross_row(struct pel_smooth_line *l,
+                             struct pel_smooth_crossing *c)
+{
+    const int64_t at = l->at, next = at + l->step;
+    l->at = next;
+    l->row++;
+    pel_smooth_line_cross(
+        c, (l->step < 0 ? next : at) >> 16,
+        (int32_t)((uint32_t)(next >> 16) - (uint32_t)(at >> 16)));
+}
+
+static void go_down(struct pel_smooth_outline *outline, int32_t i,
+                    struct pel_smooth_crossing *c)
+{
+    const struct pel_smooth_lines *const lines = (const void *)outline;
+    cross_row(&lines->line[i], c);
+}
+
+/* The same, or stays where it has been moved to. False: it begins or ends
+ * there, or has not been in the row above. */
 static bool move_line(struct pel_smooth_line *l, int32_t y,
                       struct pel_smooth_crossing *c)
 {
@@ -108,16 +120,14 @@ static bool move_line(struct pel_smooth_line *l, int32_t y,
         l->at -= l->step;
         l->row = y;
     }
-    const int64_t at = l->at, next = at + l->step;
     if (y != l->row || y < l->first || y >= l->end)
         return false;
-    l->at = next;
-    l->row++;
     c->strip.circle = NULL;
+    c->strip.slope = l->slope;
     c->strip.near = 0;
     c->strip.far = 65536;
-    set_crossing(c, l, (l->step < 0 ? next : at) >> 16,
-                 (int32_t)((uint32_t)(next >> 16) - (uint32_t)(at >> 16)));
+    c->rising = l->rising;
+    cross_row(l, c);
     return true;
 }
 
@@ -125,11 +135,13 @@ static bool find_line(struct pel_smooth_outline *outline, int32_t y, int32_t i,
                       struct pel_smooth_crossing *c)
 {
     const struct pel_smooth_lines *const lines = (const void *)outline;
-    return (!lines->wide && move_line(&lines->line[i], y, c)) ||
-           find_part(outline, y, i, c);
+    return move_line(&lines->line[i], y, c) || find_part(outline, y, i, c);
 }
 
-static const struct pel_smooth_sides line_sides = {pel_smooth_cut, find_line};
+static const struct pel_smooth_sides line_sides = {pel_smooth_cut, find_line,
+                                                   go_down};
+static const struct pel_smooth_sides wide_sides = {pel_smooth_cut, find_part,
+                                                   NULL};
 
 /* Of a direction, from one place down to the other. */
 static void set_line(struct pel_smooth_line *l, struct pel_point d,
@@ -156,7 +168,7 @@ void pel_smooth_lines_begin(struct pel_smooth_lines *lines,
     o->curve = curve;
     o->curves = 2;
     lines->ends = ends;
-    o->sides = &line_sides;
+    o->sides = wide ? &wide_sides : &line_sides;
     o->count = 0;
     o->mirror_from = INT32_MAX;
 }

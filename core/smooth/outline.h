@@ -87,6 +87,10 @@ struct pel_smooth_sides {
     /* The ith other side in row y; false: there is none. */
     bool (*other)(struct pel_smooth_outline *outline, int32_t y, int32_t i,
                   struct pel_smooth_crossing *crossing);
+    /* Moves it on from the row above: it crosses both as a whole. NULL: it must
+     * be found anew. */
+    void (*down)(struct pel_smooth_outline *outline, int32_t i,
+                 struct pel_smooth_crossing *crossing);
 };
 
 struct pel_smooth_outline {

@@ -56,10 +56,11 @@ static bool find_joint(struct pel_smooth_outline *o, int32_t y, int32_t k,
                        struct pel_smooth_crossing *c)
 {
     struct pel_smooth_far_place end[2];
-    const struct pel_smooth_curve *const half =
-        &o->curve[k & 1 ? k : (k + 1) & 3];
-    if (pel_magnitude(y * 256 + 128 - half->center.y) >
-        half->circle.radius + 132)
+    const int32_t i = k & 1 ? k : (k + 1) & 3;
+    const struct pel_smooth_ends *const ends = pel_smooth_ends_of(o, i);
+    const int32_t at =
+        o->curve[i].center.y + ((i == k ? ends->to.y : ends->from.y) >> 8);
+    if (pel_magnitude(y * 256 + 128 - at) > 133)
         return false;
     pel_smooth_joint(o, k, false, end);
     c->rising = end[1].y < end[0].y;
@@ -70,7 +71,8 @@ static bool find_joint(struct pel_smooth_outline *o, int32_t y, int32_t k,
     return pel_smooth_upright(c, y, end[c->rising].y, end[!c->rising].y);
 }
 
-static const struct pel_smooth_sides joints = {pel_smooth_cut, find_joint};
+static const struct pel_smooth_sides joints = {.cut = pel_smooth_cut,
+                                               .other = find_joint};
 
 /* How far from the centre's height there is nothing of an end, 1/256 px. It
  * lies within half the width of the arc of its middle. */

@@ -149,7 +149,9 @@ static bool move_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
             move_down(&c->strip, c->below);
             continue;
         }
-        if (!o->sides->other(o, y, c->other, c) || !is_whole(c))
+        if (o->sides->down)
+            o->sides->down(o, c->other, c);
+        else if (!o->sides->other(o, y, c->other, c) || !is_whole(c))
             return false;
         for (int32_t k = 0; k < s->n; k++)
             if (s->side[k].strip == &c->strip)
