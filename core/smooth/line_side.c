@@ -151,7 +151,7 @@ static void set_line(struct pel_smooth_line *l, struct pel_point d,
     struct pel_rise rise;
     const struct pel_point down = {d.y < 0 ? -d.x : d.x, pel_magnitude(d.y)};
     l->step = pel_smooth_slope(&zero, &down, &rise);
-    l->slope = pel_smooth_slope_of((uint64_t)pel_size_of(l->step));
+    pel_smooth_slope_set(&l->slope, (uint64_t)pel_size_of(l->step));
     l->first = l->row = first_row(end);
     l->end = (int32_t)((end[1].y - 1) >> 16);
     l->at = first_at(end, l->step);

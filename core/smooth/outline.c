@@ -50,9 +50,11 @@ static inline bool find_quarter(const struct pel_smooth_outline *o, int32_t i,
 {
     const struct pel_smooth_curve *const curve = &o->curve[i];
     const bool upright = (curve->circle.first + k) & 1;
-    return pel_smooth_find_quarter(curve, o->row, k, c) &&
-           (!o->sides || !o->sides->cut ||
-            o->sides->cut(o, i, k, upright, &c->strip));
+    if (!pel_smooth_find_quarter(curve, o->row, k, c))
+        return false;
+    pel_smooth_place_quarter(c, curve->at);
+    return !o->sides || !o->sides->cut ||
+           o->sides->cut(o, i, k, upright, &c->strip);
 }
 
 struct finder {

@@ -13,7 +13,9 @@ struct pel_smooth_curve {
     struct pel_point center;
     struct pel_point spread; /* of a rounded rectangle's corners, 1/256 px */
     struct pel_smooth_circle circle;
+#if !PEL_SMOOTH_TINY
     int32_t at[2]; /* where the circle is at the ends of the outline's row */
+#endif
 };
 
 struct pel_smooth_place {

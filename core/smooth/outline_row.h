@@ -25,8 +25,8 @@ static inline bool pel_smooth_curve_in(const struct pel_smooth_curve *curve,
     return down > -radius - 256 && down < radius + curve->spread.y;
 }
 
-/* What its kth quarter has in that row as a whole circle: false where it has
- * nothing. Places a unit outside of the circle do not matter. */
+/* What its kth quarter has in that row as a whole circle, but where it is
+ * there: false where it has nothing. */
 static PEL_SMOOTH_APART bool pel_smooth_find_quarter(
     const struct pel_smooth_curve *curve, int32_t y, int32_t k,
     struct pel_smooth_crossing *c)
@@ -42,15 +42,22 @@ static PEL_SMOOTH_APART bool pel_smooth_find_quarter(
     s->circle = &curve->circle;
     s->near = pel_max(near, 0) * 256;
     s->far = far * 256;
-    s->at_near =
-        near > 0 ? curve->at[!below] : pel_smooth_reach(&curve->circle);
-    s->at_far = pel_min(curve->at[below], s->at_near);
     c->below = below;
     c->other = -1;
     c->left = quadrant == 1 || quadrant == 2;
     c->rising = c->left != curve->circle.hole;
     c->center = c->left ? -curve->center.x : curve->center.x + curve->spread.x;
     return true;
+}
+
+/* Where it is, from where its circle is at the ends of the row. Places a unit
+ * outside of the circle do not matter. */
+static inline void pel_smooth_place_quarter(struct pel_smooth_crossing *c,
+                                            const int32_t at[2])
+{
+    struct pel_smooth_strip *const s = &c->strip;
+    s->at_near = s->near > 0 ? at[!c->below] : pel_smooth_reach(s->circle);
+    s->at_far = pel_min(at[c->below], s->at_near);
 }
 
 #endif

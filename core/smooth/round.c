@@ -33,7 +33,9 @@ bool pel_smooth_round_curve(const struct pel_smooth_short_outline *round,
     return true;
 }
 
-const struct pel_smooth_kind pel_smooth_round_kind = {
+const struct pel_smooth_kind pel_smooth_discs = {
+    .curves = 1, .curve = pel_smooth_round_curve};
+const struct pel_smooth_kind pel_smooth_rings = {
     .curves = 2, .curve = pel_smooth_round_curve};
 
 bool pel_smooth_curve_begin(struct pel_smooth_short_outline *t,

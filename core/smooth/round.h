@@ -19,7 +19,7 @@ struct pel_smooth_round {
 bool pel_smooth_round_curve(const struct pel_smooth_short_outline *round,
                             int32_t i, struct pel_smooth_curve *curve);
 
-extern const struct pel_smooth_kind pel_smooth_round_kind;
+extern const struct pel_smooth_kind pel_smooth_discs, pel_smooth_rings;
 
 /* Begins to paint a whole curve, which reaches so far from its centre. */
 bool pel_smooth_curve_begin(struct pel_smooth_short_outline *outline,
@@ -28,9 +28,10 @@ bool pel_smooth_curve_begin(struct pel_smooth_short_outline *outline,
 
 /* Paints what is to be seen of circles. */
 static PEL_ALWAYS_INLINE void pel_smooth_round_paint(
-    struct pel_smooth_round *round)
+    struct pel_smooth_round *round, bool is_ring)
 {
-    pel_smooth_short_outline_paint(&round->outline, &pel_smooth_round_kind);
+    pel_smooth_short_outline_paint(
+        &round->outline, is_ring ? &pel_smooth_rings : &pel_smooth_discs);
 }
 #else
 struct pel_smooth_round {
@@ -43,8 +44,10 @@ struct pel_smooth_round {
 bool pel_smooth_curve_begin(struct pel_smooth_outline *outline,
                             struct pel_smooth_curve *curve, int32_t reach);
 
-static inline void pel_smooth_round_paint(struct pel_smooth_round *round)
+static inline void pel_smooth_round_paint(struct pel_smooth_round *round,
+                                          bool is_ring)
 {
+    PEL_CAST(void, is_ring);
     pel_smooth_outline_paint(&round->outline);
 }
 #endif

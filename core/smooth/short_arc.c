@@ -172,38 +172,39 @@ static PEL_NOINLINE bool is_line_near(const struct arc *a, bool last)
                    height_of(a, last, a->radius[1]));
 }
 
-/* The ends of the line on a ray, the upper one first. */
-static void set_ends(const struct arc *a, int32_t ray,
-                     struct pel_smooth_far_place end[2])
+static PEL_NOINLINE void set_end(struct pel_smooth_far_place *end,
+                                 const struct pel_point *center,
+                                 const struct pel_smooth_place *p)
 {
-    const bool up = is_up(a, ray);
-    for (int32_t k = 0; k < 2; k++) {
-        const struct pel_smooth_place p =
-            place_on(a, ray, a->radius[up ? k : !k]);
-        end[k].x = (int64_t)a->center->x * 256 + p.x;
-        end[k].y = (int64_t)a->center->y * 256 + p.y;
-    }
+    end->x = (int64_t)center->x * 256 + p->x;
+    end->y = (int64_t)center->y * 256 + p->y;
 }
 
+/* The line at the end of a ray, from its upper end to the lower one. */
 static bool find_line(const struct pel_smooth_short_outline *outline, int32_t i,
                       struct pel_smooth_crossing *c)
 {
     const struct arc *const a = arc_of(outline);
     const bool last = i == 0;
     const int64_t *const step = &a->of.step[last];
-    const int32_t y = outline->seen.y0;
+    const int32_t y = outline->seen.y0, lower = !is_up(a, last);
     struct pel_smooth_far_place end[2];
     if (!is_line_near(a, last))
         return false;
-    c->rising = is_up(a, last) != last;
-    set_ends(a, last, end);
+    c->rising = lower == last;
+    for (int32_t k = 0; k < 2; k++) {
+        const struct pel_smooth_place p = place_on(a, last, a->radius[k]);
+        set_end(&end[k ^ lower], a->center, &p);
+    }
     if (!pel_smooth_upright(c, y, end[0].y, end[1].y))
         return false;
     end[1].x = pel_smooth_line_at(end, step, y, true);
     end[0].x = pel_smooth_line_at(end, step, y, false);
     pel_smooth_line_cross(c, end[0].x < end[1].x ? end[0].x : end[1].x,
                           (int32_t)(end[1].x - end[0].x));
-    c->strip.slope = pel_smooth_slope_of((uint64_t)pel_size_of(*step));
+    const struct pel_span columns = pel_smooth_crossed(&c->strip, c->center);
+    if (columns.x1 - columns.x0 > 1) /* its height is asked for between them */
+        pel_smooth_slope_set(&c->strip.slope, (uint64_t)pel_size_of(*step));
     return true;
 }
 

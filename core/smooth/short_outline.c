@@ -3,40 +3,53 @@
 #if PEL_SMOOTH_TINY
 #include "outline_row.h"
 
+/* Where the only curve is at the next row. */
+static void move_down(struct pel_smooth_short_outline *t)
+{
+    if (PEL_SMALL_CODE)
+        return;
+    t->at[0] = t->at[1];
+    t->at[1] = -1;
+}
+
 bool pel_smooth_short_outline_begin(struct pel_smooth_short_outline *t,
                                     const struct pel_rect *box)
 {
     t->seen = pel_rect_intersect(box, &t->smooth.target->clip);
     t->part.full.x1 = t->seen.x0;
+    t->at[1] = -1;
+    move_down(t);
     return !pel_rect_empty(&t->seen) &&
            pel_smooth_begin(&t->smooth, t->smooth.target, t->smooth.paint);
 }
 
-/* False: no quarter of the curve is in the row. */
-static bool find_ends(struct pel_smooth_curve *c, int32_t y)
+/* Sets the ith curve, and where it is: how many quarters it has, if some may be
+ * in the row. An only curve is where it was at the end of the row above. */
+static PEL_NOINLINE int32_t set_curve(struct pel_smooth_short_outline *t,
+                                      const struct pel_smooth_kind *kind,
+                                      int32_t i)
 {
-    if (!pel_smooth_curve_in(c, y))
-        return false;
-    c->at[0] = pel_smooth_curve_at(c, y);
-    c->at[1] = pel_smooth_curve_at(c, y + 1);
-    return true;
+    const struct pel_smooth_curve *const c = &t->of.window.curve;
+    const bool keeps = !PEL_SMALL_CODE && kind->curves == 1;
+    const int32_t y = t->seen.y0;
+    if (!kind->curve(t, i, &t->of.window.curve) || !pel_smooth_curve_in(c, y))
+        return 0;
+    for (int32_t k = 0; k < 2; k++)
+        if (!keeps || t->at[k] < 0)
+            t->at[k] = pel_smooth_curve_at(c, y + k);
+    return c->circle.count;
 }
 
-/* Finds the (k & 7)th quarter of curve k >> 3; false: it has nothing in the
- * row.
- */
+/* Finds what its kth quarter has in the row; false: nothing. */
 static PEL_NOINLINE bool find_quarter(struct pel_smooth_short_outline *t,
                                       const struct pel_smooth_kind *kind,
-                                      int32_t k)
+                                      int32_t i, int32_t k)
 {
     struct pel_smooth_window *const w = &t->of.window;
-    if ((k & 7) == 0 && !(kind->curve(t, k >> 3, &w->curve) &&
-                          find_ends(&w->curve, t->seen.y0)))
-        w->curve.circle.count = 0;
-    return (k & 7) < w->curve.circle.count &&
-           pel_smooth_find_quarter(&w->curve, t->seen.y0, k & 7,
-                                   &w->crossing) &&
-           (!kind->cut || kind->cut(t, k >> 3, k & 7));
+    if (!pel_smooth_find_quarter(&w->curve, t->seen.y0, k, &w->crossing))
+        return false;
+    pel_smooth_place_quarter(&w->crossing, t->at);
+    return !kind->cut || kind->cut(t, i, k);
 }
 
 static void add_side(struct pel_smooth_short_outline *t);
@@ -46,9 +59,10 @@ static void add_side(struct pel_smooth_short_outline *t);
 static PEL_ALWAYS_INLINE void add_sides(struct pel_smooth_short_outline *t,
                                         const struct pel_smooth_kind *kind)
 {
-    for (int32_t k = 0; k < kind->curves * 8; k++)
-        if (find_quarter(t, kind, k))
-            add_side(t);
+    for (int32_t i = 0; i < kind->curves; i++)
+        for (int32_t k = set_curve(t, kind, i); --k >= 0;)
+            if (find_quarter(t, kind, i, k))
+                add_side(t);
     for (int32_t i = 0; i < kind->others; i++)
         if (kind->other(t, i, &t->of.window.crossing))
             add_side(t);
@@ -205,6 +219,7 @@ bool pel_smooth_next_part(struct pel_smooth_short_outline *t,
     if (t->part.full.x1 >= t->seen.x1) {
         t->part.full.x1 = t->seen.x0;
         t->seen.y0++;
+        move_down(t);
     }
     if (t->seen.y0 >= t->seen.y1)
         return false;

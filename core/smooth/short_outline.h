@@ -31,6 +31,7 @@ struct pel_smooth_window {
 struct pel_smooth_short_outline {
     struct pel_smooth smooth;
     struct pel_rect seen; /* px: the rows that are left */
+    int32_t at[2];        /* where its curve is at both ends of the row */
     struct pel_smooth_part part;
     union {
         struct pel_smooth_window window;   /* finds a part of a row, and then */
@@ -41,7 +42,7 @@ struct pel_smooth_short_outline {
 /* What the sides of a kind of shapes are in row seen.y0. */
 struct pel_smooth_kind {
     uint8_t curves, others;
-    /* Sets the ith curve, all but `at`; false: it is not in the row. */
+    /* Sets the ith curve; false: it is not in the row. */
     bool (*curve)(const struct pel_smooth_short_outline *outline, int32_t i,
                   struct pel_smooth_curve *curve);
     /* Cuts a crossing of its kth quarter at its ends; false: nothing is left.

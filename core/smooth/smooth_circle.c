@@ -24,5 +24,5 @@ void pel_smooth_circle(const struct pel_surface *surface,
     disc.radius[1] = 0;
     disc.spread.x = disc.spread.y = 0;
     if (begin(&disc))
-        pel_smooth_round_paint(&disc);
+        pel_smooth_round_paint(&disc, false);
 }

@@ -30,7 +30,8 @@ static void set_axis(struct ellipse *e, int i, int32_t radius, int32_t other)
 /* The square of the root that `root_at` takes, times 4^up; below 2^46 at
  * first.
  */
-static uint64_t square_at(int32_t radius, int32_t distance, int *up)
+static PEL_SMOOTH_APART uint64_t square_at(int32_t radius, int32_t distance,
+                                           int *up)
 {
     uint64_t n = (uint64_t)(pel_square(radius) - pel_square(distance));
     for (*up = 0; n >> 60 == 0; n <<= 2)

@@ -27,5 +27,5 @@ void pel_smooth_ring(const struct pel_surface *surface,
     struct pel_smooth_round t;
     t.outline.smooth = (struct pel_smooth){surface, paint};
     if (begin(&t, ring))
-        pel_smooth_round_paint(&t);
+        pel_smooth_round_paint(&t, true);
 }

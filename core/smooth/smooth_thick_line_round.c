@@ -187,7 +187,7 @@ static PEL_NOINLINE void set_capsule(struct capsule *c)
     c->inverse = circle.of.inverse;
     c->right = place_across(d, c->line->width >> 1);
     c->step = pel_smooth_slope(&zero, &d, &rise);
-    c->slope = pel_smooth_slope_of((uint64_t)pel_size_of(c->step));
+    pel_smooth_slope_set(&c->slope, (uint64_t)pel_size_of(c->step));
 }
 
 /* False: nothing is to be seen. */

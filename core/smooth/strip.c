@@ -76,17 +76,15 @@ void pel_smooth_circle_set(struct pel_smooth_circle *c, int32_t radius)
 
 /* The step is taken with 16 bits, and the rise with as many. A line that moves
  * less than 2^-16 px in a row is taken as one that moves so far. */
-struct pel_smooth_slope pel_smooth_slope_of(uint64_t step)
+void pel_smooth_slope_set(struct pel_smooth_slope *slope, uint64_t step)
 {
-    struct pel_smooth_slope slope;
     int shift = 1;
     while (step >> shift > 65535)
         shift++;
     const int32_t m = pel_max((int32_t)(step >> shift), 32768);
-    slope.rise = pel_divide(UINT64_C(1) << 31, (uint32_t)m);
-    slope.up = (uint8_t)pel_max(16 - shift, 0);
-    slope.down = (uint8_t)pel_max(shift - 16, 0);
-    return slope;
+    slope->rise = pel_divide(UINT64_C(1) << 31, (uint32_t)m);
+    slope->up = (uint8_t)pel_max(16 - shift, 0);
+    slope->down = (uint8_t)pel_max(shift - 16, 0);
 }
 
 /* The area between an arc and its chord of length l is

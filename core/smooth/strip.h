@@ -87,7 +87,7 @@ int32_t pel_smooth_arc_at(const struct pel_smooth_circle *circle,
                           int32_t distance, bool down);
 
 /* Of a line that moves so far in a row, px 2^-32. */
-struct pel_smooth_slope pel_smooth_slope_of(uint64_t step);
+void pel_smooth_slope_set(struct pel_smooth_slope *slope, uint64_t step);
 
 /* The height of a strip. */
 static inline int32_t pel_smooth_height(const struct pel_smooth_strip *strip)
