@@ -108,17 +108,23 @@ static void note(int32_t height, int32_t y, int32_t *end)
         *end = pel_min(*end, height);
 }
 
-/* Sides that are none of circles begin and end less than 4 sub-pixels from the
- * ends of curves. */
+/* Sides of a circle begin and end where it passes an axis; other ones, less
+ * than 4 sub-pixels from the ends of curves. */
 static void note_curve(const struct pel_smooth_outline *o, int32_t i, int32_t y,
                        int32_t *end)
 {
     const struct pel_smooth_curve *const curve = &o->curve[i];
+    const struct pel_smooth_circle *const c = &curve->circle;
     const int32_t top = curve->center.y, bottom = top + curve->spread.y;
-    note(top - curve->circle.radius, y, end);
-    note(top, y, end);
-    note(bottom, y, end);
-    note(bottom + curve->circle.radius, y, end);
+    for (int32_t k = c->first; k < c->first + c->count - 1; k++) {
+        const bool level = k & 1, upper = k & 2;
+        note(level   ? top
+             : upper ? top - c->radius
+                     : bottom + c->radius,
+             y, end);
+        if (level)
+            note(bottom, y, end);
+    }
     if (!o->sides || !o->sides->cut)
         return;
     const struct pel_smooth_ends *const ends = pel_smooth_ends_of(o, i);
