@@ -34,8 +34,8 @@ static uint32_t channel_of(enum pel_blend_mode mode, uint32_t d, uint32_t s)
     return pel_round_div255(d * s);
 }
 
-static PEL_STEP_OF_FEW pel_color combined(enum pel_blend_mode mode, pel_color d,
-                                          pel_color s)
+static PEL_ALWAYS_INLINE pel_color combined(enum pel_blend_mode mode,
+                                            pel_color d, pel_color s)
 {
     if (mode == PEL_BLEND_XOR)
         return (d & UINT32_C(0xFFFFFF)) ^ s;
@@ -53,8 +53,8 @@ static void load(const struct pel_surface *surface, int32_t x, int32_t y,
 }
 
 /* At most n pixels, whose colors are brought to `out`: how many. */
-static PEL_STEPS int32_t load_out(const struct pel_surface *surface, int32_t x,
-                                  int32_t y, int32_t n)
+static PEL_ALWAYS_INLINE int32_t load_out(const struct pel_surface *surface,
+                                          int32_t x, int32_t y, int32_t n)
 {
     const struct pel_surface *const target = target_of(surface);
     n = pel_min(n, COLORS);
@@ -62,14 +62,18 @@ static PEL_STEPS int32_t load_out(const struct pel_surface *surface, int32_t x,
     return n;
 }
 
-/* Combines the first n of `out` with colors, `next` from each to the next. */
-static PEL_STEPS void combine_out(struct proxy *proxy, int32_t n,
-                                  const pel_color *colors, int32_t next)
+/* Combines the first n >= 1 of `out` with colors, `next` from each to the next.
+ */
+static PEL_NOINLINE_32 void combine_out(struct proxy *proxy, int32_t n,
+                                        const pel_color *colors, int32_t next)
 {
-    for (pel_color *out = proxy->out; out < proxy->out + n; out++) {
-        *out = combined(proxy->mode, *out, *colors);
+    const enum pel_blend_mode mode = proxy->mode;
+    pel_color *out = proxy->out;
+    do {
+        *out = combined(mode, *out, *colors);
+        out++;
         colors += next;
-    }
+    } while (--n);
 }
 
 static PEL_ALWAYS_INLINE void put_out(const struct pel_surface *surface,

@@ -44,10 +44,10 @@ static const pel_thresholds thresholds[PEL_PLACES] = {ROWS(DEPTHS)};
 static const struct pel_steps565 thresholds565[PEL_PLACES][2 * PEL_PLACES] = {
     ROWS(TWICE)};
 
-/* Those of n bits in row y. */
-static inline const uint8_t *places_of(uint32_t n, int32_t y)
+/* Those of n bits in row y, from a place on. */
+static inline const uint8_t *places_of(uint32_t n, int32_t y, int32_t x)
 {
-    return &thresholds[y & 7][(n - 1) * PEL_PLACES];
+    return &thresholds[y & 7][x & 7] + (n - 1) * PEL_PLACES;
 }
 
 /* At a time; one where stack is short. */
@@ -58,24 +58,19 @@ enum { OUT_PIXELS = PEL_SMALL_CODE ? 1 : PEL_AT_A_TIME(8, 1) };
 struct proxy {
     struct pel_surface surface; /* first */
     struct pel_spans spans;     /* on it */
-    pel_color out[OUT_PIXELS];  /* of pixels: here they take no more stack */
 };
-
-static struct proxy *proxy_of(const struct pel_surface *surface)
-{
-    return (struct proxy *)(void *)surface;
-}
 
 static const struct pel_surface *target_of(const struct pel_surface *surface)
 {
     return surface->pixels;
 }
 
-/* A channel of n bits. Of opaque colors the upper bits count, unless they are
- * weighed after it. */
-static inline uint32_t dithered(uint32_t c, uint32_t n, uint32_t threshold,
+/* A channel of n bits; `place` is among those of one. Of opaque colors the
+ * upper bits count, unless they are weighed after it. */
+static inline uint32_t dithered(uint32_t c, uint32_t n, const uint8_t *place,
                                 bool opaque)
 {
+    const uint32_t threshold = place[(n - 1) * PEL_PLACES];
     const uint32_t level = ((c << n) - c + threshold) >> 8;
     return opaque ? level << (8 - n) : pel_widen(level, (int)n);
 }
@@ -85,50 +80,22 @@ static PEL_STEP pel_color dithered_color(pel_color color,
                                          int32_t x, int32_t y)
 {
     const uint8_t *const depth = pel_smooth_depth(target);
+    const uint8_t *const place = places_of(1, y, x);
     const bool opaque = color >= OPAQUE && !pel_is_smooth(target);
-    const bool gray = depth[1] == 0;
-    uint32_t left = gray ? pel_gray(color) << 16 : color, out = 0;
-    for (int k = 0; k < (gray ? 1 : 3); k++) {
-        left <<= 8;
-        out = out << 8 | dithered(left >> 24, depth[k],
-                                  places_of(depth[k], y)[x & 7], opaque);
+    uint32_t out = pel_alpha(color);
+    if (depth[1] == 0)
+        return out << 24 |
+               0x010101u * dithered(pel_gray(color), depth[0], place, opaque);
+    for (int k = 0; k < 3; k++) {
+        color <<= 8;
+        out = out << 8 | dithered(color >> 24, depth[k], place, opaque);
     }
-    return (color & OPAQUE) | (gray ? out * 0x010101u : out);
-}
-
-/* Dithers the first n colors of `out`, in place. */
-static PEL_STEPS void dither_out(struct proxy *proxy, int32_t x, int32_t y,
-                                 int32_t n)
-{
-    const struct pel_surface *const target = target_of(&proxy->surface);
-    for (pel_color *out = proxy->out; out < proxy->out + n; out++, x++)
-        *out = dithered_color(*out, target, x, y);
-}
-
-/* Takes n colors, or as many as `out` holds: how many. `next` is from each to
- * the next. */
-static PEL_ALWAYS_INLINE int32_t take_colors(struct proxy *proxy, int32_t n,
-                                             const pel_color *colors,
-                                             int32_t next)
-{
-    n = pel_min(n, OUT_PIXELS);
-    for (int32_t i = 0; i < n; i++)
-        proxy->out[i] = colors[i * next];
-    return n;
-}
-
-/* Puts n colors that were taken, of any alpha. */
-static PEL_ALWAYS_INLINE void put_out(struct proxy *proxy, int32_t x, int32_t y,
-                                      int32_t n)
-{
-    const struct pel_surface *const target = target_of(&proxy->surface);
-    dither_out(proxy, x, y, n);
-    target->format->put(target, x, y, n, proxy->out);
+    return out;
 }
 
 /* n >= 1 pixels, each like the one eight before, which is `bits` bytes away. */
-static void repeat_pixels(const struct pel_surface *target, int32_t x,
-                          int32_t y, int32_t n)
+static PEL_STEP_OR_INLINE void repeat_pixels(const struct pel_surface *target,
+                                             int32_t x, int32_t y, int32_t n)
 {
     const int32_t bits = target->format->bits;
     uint8_t *p = (uint8_t *)pel_address(target, x, y, bits / 8);
@@ -156,7 +123,7 @@ static PEL_HOT struct pel_row565 row565_of(const struct pel_surface *target,
 {
     pel_word16 *const p = pel_address16(target, x, y);
     const struct pel_row565 row = {p, p + n, thresholds565[y & 7],
-                                   places_of(5, y), (uint32_t)x & 7};
+                                   places_of(5, y, 0), (uint32_t)x & 7};
     return row;
 }
 
@@ -174,7 +141,8 @@ static PEL_ALWAYS_INLINE void fill_rows(const struct pel_spans *spans,
 }
 
 /* False: there is no loop for the format. */
-static bool fill_opaque(const struct pel_spans *spans, pel_color color)
+static PEL_STEP_OR_INLINE bool fill_quickly(const struct pel_spans *spans,
+                                            pel_color color)
 {
     const struct pel_surface *const target = target_of(spans->surface);
     const struct pel_format *const format = target->format;
@@ -237,12 +205,15 @@ static int32_t put_opaque(const struct pel_surface *target, int32_t x,
 static void put_colors(const struct pel_surface *surface, int32_t x, int32_t y,
                        int32_t n, const pel_color *colors)
 {
+    const struct pel_surface *const target = target_of(surface);
     for (int32_t done; n > 0; x += done, n -= done, colors += done) {
-        done = put_opaque(target_of(surface), x, y, n, colors);
-        if (done == 0) {
-            done = take_colors(proxy_of(surface), n, colors, 1);
-            put_out(proxy_of(surface), x, y, done);
-        }
+        pel_color out[OUT_PIXELS];
+        done = put_opaque(target, x, y, n, colors);
+        if (done != 0)
+            continue;
+        for (; done < pel_min(n, OUT_PIXELS); done++)
+            out[done] = dithered_color(colors[done], target, x + done, y);
+        target->format->put(target, x, y, done, out);
     }
 }
 
@@ -251,19 +222,26 @@ static void fill_color(const struct pel_spans *spans, pel_color color)
 {
     const struct pel_span *span = spans->span;
     int32_t y = spans->y;
-    if (color >= OPAQUE && fill_opaque(spans, color))
-        return;
     for (; span < spans->span + spans->n; span++, y += spans->step)
-        for (int32_t x = span->x0; x < span->x1;) {
+        for (int32_t x = span->x0, n; x < span->x1; x += n) {
+            const struct pel_surface *const target = target_of(spans->surface);
+            pel_color out[OUT_PIXELS];
+            n = span->x1 - x;
             if (x - span->x0 == PEL_PLACES && color >= OPAQUE) {
-                repeat_pixels(target_of(spans->surface), x, y, span->x1 - x);
+                repeat_pixels(target, x, y, n);
                 break;
             }
-            struct proxy *const proxy = proxy_of(spans->surface);
-            const int32_t n = take_colors(proxy, span->x1 - x, &color, 0);
-            put_out(proxy, x, y, n);
-            x += n;
+            n = pel_min(n, OUT_PIXELS);
+            for (int32_t i = 0; i < n; i++)
+                out[i] = dithered_color(color, target, x + i, y);
+            target->format->put(target, x, y, n, out);
         }
+}
+
+static void fill_opaque(const struct pel_spans *spans, pel_color color)
+{
+    if (!fill_quickly(spans, color))
+        fill_color(spans, color);
 }
 
 static void load_colors(const struct pel_surface *surface, int32_t x, int32_t y,
@@ -287,7 +265,7 @@ static const struct pel_format proxy_format = {
     .word = 4,
     .pack = keep,
     .unpack = keep,
-    .fill = fill_color,
+    .fill = fill_opaque,
     .blend = fill_color,
     .put = put_colors,
     .load = load_colors,

@@ -78,10 +78,12 @@ static PEL_NOINLINE bool fill_planes(const struct pel_gouraud *g,
                                      const struct pel_span *span)
 {
     const struct pel_channels *const c = s->format->channels;
-    struct pel_planes planes = {{0}, {g->dx[0], g->dx[1], g->dx[2]}};
+    struct pel_planes planes;
     if (!c || !c->planes || !pel_gouraud_opaque(g) || span->x0 >= span->x1)
         return false;
     pel_gouraud_at(g, span->x0, y, planes.at);
+    for (int k = 0; k < 3; k++)
+        planes.dx[k] = g->dx[k];
     return c->planes(s, span->x0, y, span->x1 - span->x0, &planes);
 }
 
