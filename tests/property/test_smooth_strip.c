@@ -123,7 +123,7 @@ TEST(whole_numbers)
         }
 }
 
-enum { SHAPES = 7 };
+enum { RECTANGLE = 4, SHAPES = 7 };
 
 static void draw_kind(const struct pel_surface *surface, int kind,
                       struct pel_point c, int32_t wider,
@@ -149,7 +149,7 @@ static void draw_kind(const struct pel_surface *surface, int kind,
     case 3:
         pel_smooth_ellipse(surface, &ellipse, paint);
         break;
-    case 4:
+    case RECTANGLE:
         pel_smooth_rounded_rectangle(surface, &rounded, paint);
         break;
     case 5:
@@ -160,8 +160,8 @@ static void draw_kind(const struct pel_surface *surface, int kind,
     }
 }
 
-/* Left and right halves of shapes that are nearly their own mirror images are
- * the same as in the whole, where one is made of the other. */
+/* Left and right halves of bands of shapes that are nearly their own mirror
+ * images are the same as in the whole, where one is made of the other. */
 TEST(halves)
 {
     static const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
@@ -174,21 +174,52 @@ TEST(halves)
         const struct pel_point center = {
             PEL_PX(48) + 128 * random_between(r, 0, 2) +
                 random_between(r, -1, 1),
-            PEL_PX(48) + random_between(r, -256, 256)};
+            PEL_PX(48) + 64 * random_between(r, -4, 4)};
         const int32_t wider = random_between(r, 0, 1);
         memset(whole, 0, sizeof whole);
         memset(part, 0, sizeof part);
         pel_surface_init(&surface, &pel_gray8, whole, sizeof whole, &bounds);
         draw_kind(&surface, kind, center, wider, &white.paint);
         surface.pixels = part;
-        surface.clip.x1 = 48;
-        draw_kind(&surface, kind, center, wider, &white.paint);
-        surface.clip.x0 = 48;
-        surface.clip.x1 = 96;
-        draw_kind(&surface, kind, center, wider, &white.paint);
+        for (int32_t i = 0; i < 32; i++) {
+            const int32_t x = i % 2 * 48, y = i / 2 * 6;
+            surface.clip = (struct pel_rect){x, y, x + 48, y + 6};
+            draw_kind(&surface, kind, center, wider, &white.paint);
+        }
         if (memcmp(whole, part, sizeof whole) != 0)
             fail_msg("shape %d at %d %d, wider by %d; %s", kind, center.x,
                      center.y, wider, cases_replay());
+        if (kind == RECTANGLE &&
+            memcmp(whole + 47 * 96, whole + 48 * 96, 96) != 0)
+            fail_msg("the middle row is another; %s", cases_replay());
+    }
+}
+
+/* So are rows at the side of large circles, where an arc moves by less from row
+ * to row than its places are exact. */
+TEST(rows)
+{
+    static const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
+    static const struct pel_rect bounds = {0, -12, 8, 12};
+    static uint8_t whole[24 * 8], part[24 * 8];
+    struct pel_surface surface;
+    for (struct cases c = cases_of(2000); cases_next(&c);) {
+        struct random *const r = &c.random;
+        const int32_t radius = random_between(r, PEL_PX(1000), PEL_PX(32767));
+        const struct pel_point center = {random_between(r, 0, 2047) - radius,
+                                         random_between(r, -999, 999)};
+        memset(whole, 0, sizeof whole);
+        memset(part, 0, sizeof part);
+        pel_surface_init(&surface, &pel_gray8, whole, sizeof whole, &bounds);
+        pel_smooth_circle(&surface, center, radius, &white.paint);
+        surface.pixels = part;
+        for (int32_t y = -12; y < 12; y++) {
+            surface.clip = (struct pel_rect){0, y, 8, y + 1};
+            pel_smooth_circle(&surface, center, radius, &white.paint);
+        }
+        if (memcmp(whole, part, sizeof whole) != 0)
+            fail_msg("radius %d at %d %d; %s", radius, center.x, center.y,
+                     cases_replay());
     }
 }
 
