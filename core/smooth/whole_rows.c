@@ -139,9 +139,8 @@ static bool find_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
     return true;
 }
 
-/* Goes on to row y, where no side begins or ends. False: one does not cross all
- * of it. */
-static bool move_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
+/* Goes on to row y, where no side begins or ends. */
+static void move_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
 {
     for (int32_t i = 0; i < s->crossings; i++) {
         struct pel_smooth_crossing *const c = &s->crossing[i];
@@ -151,13 +150,12 @@ static bool move_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
         }
         if (o->sides->down)
             o->sides->down(o, c->other, c);
-        else if (!o->sides->other(o, y, c->other, c) || !is_whole(c))
-            return false;
+        else
+            o->sides->other(o, y, c->other, c);
         for (int32_t k = 0; k < s->n; k++)
             if (s->side[k].strip == &c->strip)
                 s->side[k].center = c->center;
     }
-    return true;
 }
 
 /* What is between two sides, and where the bytes of the next row go. */
@@ -236,8 +234,7 @@ static int32_t put_pair(struct pair *p, struct pel_smooth_side *k,
 /* Adds a row, if its sides are apart and there is room. */
 static bool add_row(struct rows *r, struct sides *s)
 {
-    const int32_t x =
-        put_pair(&r->pair[0], &s->side[0], s->seen, INT32_MIN + 1);
+    const int32_t x = put_pair(&r->pair[0], &s->side[0], s->seen, INT32_MIN);
     if (x == INT32_MIN)
         return false;
     if (s->n == 2 || put_pair(&r->pair[1], &s->side[2], s->seen, x) > INT32_MIN)
@@ -259,7 +256,9 @@ static PEL_NOINLINE_32 bool go_to(struct pel_smooth_outline *o, int32_t y,
     s->row = INT32_MIN;
     if (y == end && (o->alike & 255) > 0)
         return false;
-    if (!(moves ? move_sides(o, y, s) : find_sides(o, y, s)))
+    if (moves)
+        move_sides(o, y, s);
+    else if (!find_sides(o, y, s))
         return false;
     s->row = y;
     return true;
@@ -271,8 +270,9 @@ static inline bool go_down(struct pel_smooth_outline *o, int32_t y,
 {
     if (y >= pel_pixel_of(o->alike))
         return go_to(o, y, s);
-    s->row = move_sides(o, y, s) ? y : INT32_MIN;
-    return s->row == y;
+    move_sides(o, y, s);
+    s->row = y;
+    return true;
 }
 
 /* Makes batches of the rows from y on: returns their number. */
