@@ -50,6 +50,8 @@ static PEL_NOINLINE struct pel_smooth_place place_on(const struct arc *a,
                                                      int32_t radius)
 {
     struct pel_point d = direction_of(a, ray & LAST);
+    if (radius == 0)
+        return (struct pel_smooth_place){0, 0};
     if (ray & OPPOSITE)
         d = (struct pel_point){-d.x, -d.y};
     return pel_smooth_arc_place_at(d, radius);
@@ -83,7 +85,7 @@ static int32_t height_of(const struct arc *a, bool last, int32_t radius)
 /* May the row have something between two heights? */
 static bool is_near(const struct arc *a, int32_t from, int32_t to)
 {
-    const int32_t down = a->outline.seen.y0 * 256 - a->center->y;
+    const int32_t down = a->outline.seen.y * 256 - a->center->y;
     return down < pel_max(from, to) + FAR &&
            down + 256 > pel_min(from, to) - FAR;
 }
@@ -187,7 +189,7 @@ static bool find_line(const struct pel_smooth_short_outline *outline, int32_t i,
     const struct arc *const a = arc_of(outline);
     const bool last = i == 0;
     const int64_t *const step = &a->of.step[last];
-    const int32_t y = outline->seen.y0, lower = !is_up(a, last);
+    const int32_t y = outline->seen.y, lower = !is_up(a, last);
     struct pel_smooth_far_place end[2];
     if (!is_line_near(a, last))
         return false;
@@ -227,12 +229,13 @@ static bool find_joint(const struct pel_smooth_short_outline *outline,
     const int64_t y =
         (int64_t)a->center->y * 256 + place_on(a, last, a->radius[inner]).y;
     c->rising = (to < y) == (last != inner);
-    return pel_smooth_upright(c, outline->seen.y0, y < to ? y : to,
+    return pel_smooth_upright(c, outline->seen.y, y < to ? y : to,
                               y < to ? to : y);
 }
 
 static const struct pel_smooth_kind whole = {.curves = 2, .curve = curve};
 static const struct pel_smooth_kind butt = {2, 2, curve, cut, find_line};
+static const struct pel_smooth_kind pie = {1, 2, curve, cut, find_line};
 static const struct pel_smooth_kind rounded = {4, 4, curve, cut, find_joint};
 
 static uint32_t inverse_of(int32_t radius)
@@ -302,7 +305,7 @@ static PEL_NOINLINE const struct pel_smooth_kind *begin_sector(
 {
     const struct pel_arc_shape arc = {sector->center, 0, sector->radius,
                                       sector->from, sector->to};
-    const struct pel_smooth_kind *const kind = begin(a, &arc, &butt);
+    const struct pel_smooth_kind *const kind = begin(a, &arc, &pie);
     a->center = &sector->center;
     return kind;
 }

@@ -15,11 +15,15 @@ static void move_down(struct pel_smooth_short_outline *t)
 bool pel_smooth_short_outline_begin(struct pel_smooth_short_outline *t,
                                     const struct pel_rect *box)
 {
-    t->seen = pel_rect_intersect(box, &t->smooth.target->clip);
-    t->part.full.x1 = t->seen.x0;
+    const struct pel_rect r = pel_rect_intersect(box, &t->smooth.target->clip);
+    t->seen.x = (int16_t)r.x0;
+    t->seen.y = (int16_t)r.y0;
+    t->seen.last_x = (int16_t)(r.x1 - 1);
+    t->seen.last_y = (int16_t)(r.y1 - 1);
+    t->part.full.x1 = r.x0;
     t->at[1] = -1;
     move_down(t);
-    return !pel_rect_empty(&t->seen) &&
+    return !pel_rect_empty(&r) &&
            pel_smooth_begin(&t->smooth, t->smooth.target, t->smooth.paint);
 }
 
@@ -31,7 +35,7 @@ static PEL_NOINLINE int32_t set_curve(struct pel_smooth_short_outline *t,
 {
     const struct pel_smooth_curve *const c = &t->of.window.curve;
     const bool keeps = !PEL_SMALL_CODE && kind->curves == 1;
-    const int32_t y = t->seen.y0;
+    const int32_t y = t->seen.y;
     if (!kind->curve(t, i, &t->of.window.curve) || !pel_smooth_curve_in(c, y))
         return 0;
     for (int32_t k = 0; k < 2; k++)
@@ -46,7 +50,7 @@ static PEL_NOINLINE bool find_quarter(struct pel_smooth_short_outline *t,
                                       int32_t i, int32_t k)
 {
     struct pel_smooth_window *const w = &t->of.window;
-    if (!pel_smooth_find_quarter(&w->curve, t->seen.y0, k, &w->crossing))
+    if (!pel_smooth_find_quarter(&w->curve, t->seen.y, k, &w->crossing))
         return false;
     pel_smooth_place_quarter(&w->crossing, t->at);
     return !kind->cut || kind->cut(t, i, k);
@@ -109,10 +113,10 @@ static PEL_ALWAYS_INLINE void find_part(struct pel_smooth_short_outline *t,
 {
     struct pel_smooth_part *const p = &t->part;
     p->some.x0 = p->full.x1;
-    for (; p->full.x1 < t->seen.x1 &&
+    for (; p->full.x1 <= t->seen.last_x &&
            p->full.x1 < p->some.x0 + PEL_SMOOTH_COLUMNS;
          p->full.x1++) {
-        t->part.some.x1 = t->seen.x1;
+        t->part.some.x1 = t->seen.last_x + 1;
         t->of.window.sum[0] = 0;
         add_sides(t, kind);
         const uint8_t coverage = coverage_of(t->of.window.sum[0]);
@@ -136,7 +140,7 @@ static PEL_NOINLINE void add_side(struct pel_smooth_short_outline *t)
 {
     const struct pel_smooth_crossing *const c = &t->of.window.crossing;
     const int32_t x = t->part.full.x1;
-    const int32_t end = pel_min(x + PEL_SMOOTH_COLUMNS, t->seen.x1);
+    const int32_t end = pel_min(x + PEL_SMOOTH_COLUMNS, t->seen.last_x + 1);
     struct pel_smooth_arc_piece piece = {0, 0, INT32_MIN, 0};
     struct pel_span columns = pel_smooth_crossing_columns(c);
     int32_t height = pel_smooth_height(&c->strip);
@@ -170,7 +174,7 @@ static PEL_NOINLINE void add_side(struct pel_smooth_short_outline *t)
 static PEL_ALWAYS_INLINE void fill_window(struct pel_smooth_short_outline *t,
                                           const struct pel_smooth_kind *kind)
 {
-    t->part.some = (struct pel_span){t->seen.x1, 0};
+    t->part.some = (struct pel_span){t->seen.last_x + 1, 0};
     /* volatile: no call of memset, which may be the only one */
     for (int32_t i = 0; i <= PEL_SMOOTH_COLUMNS; i++)
         ((volatile int32_t *)t->of.window.sum)[i] = 0;
@@ -185,7 +189,7 @@ static PEL_NOINLINE void read_window(struct pel_smooth_short_outline *t)
 {
     struct pel_smooth_part *const p = &t->part;
     const int32_t x = p->full.x1, next = p->some.x0;
-    const int32_t most = pel_min(t->seen.x1 - x, PEL_SMOOTH_COLUMNS);
+    const int32_t most = pel_min(t->seen.last_x + 1 - x, PEL_SMOOTH_COLUMNS);
     int32_t sum = 0, i = 0, first = 0, some = 0;
     for (;; i++) {
         sum += t->of.window.sum[i];
@@ -216,13 +220,13 @@ static PEL_ALWAYS_INLINE void find_part(struct pel_smooth_short_outline *t,
 bool pel_smooth_next_part(struct pel_smooth_short_outline *t,
                           const struct pel_smooth_kind *kind)
 {
-    if (t->part.full.x1 >= t->seen.x1) {
-        t->part.full.x1 = t->seen.x0;
-        t->seen.y0++;
+    if (t->part.full.x1 > t->seen.last_x) {
+        if (t->seen.y == t->seen.last_y)
+            return false;
+        t->part.full.x1 = t->seen.x;
+        t->seen.y++;
         move_down(t);
     }
-    if (t->seen.y0 >= t->seen.y1)
-        return false;
     find_part(t, kind);
     return true;
 }

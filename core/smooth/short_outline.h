@@ -30,8 +30,10 @@ struct pel_smooth_window {
 /* What each shape has, first. */
 struct pel_smooth_short_outline {
     struct pel_smooth smooth;
-    struct pel_rect seen; /* px: the rows that are left */
-    int32_t at[2];        /* where its curve is at both ends of the row */
+    struct {
+        int16_t x, y, last_x, last_y;
+    } seen;        /* px that are left: the first of them and the last */
+    int32_t at[2]; /* where its curve is at both ends of the row */
     struct pel_smooth_part part;
     union {
         struct pel_smooth_window window;   /* finds a part of a row, and then */
@@ -39,7 +41,7 @@ struct pel_smooth_short_outline {
     } of;
 };
 
-/* What the sides of a kind of shapes are in row seen.y0. */
+/* What the sides of a kind of shapes are in row seen.y. */
 struct pel_smooth_kind {
     uint8_t curves, others;
     /* Sets the ith curve; false: it is not in the row. */
@@ -67,10 +69,10 @@ static PEL_ALWAYS_INLINE void pel_smooth_short_outline_paint(
     struct pel_smooth_short_outline *t, const struct pel_smooth_kind *kind)
 {
     while (pel_smooth_next_part(t, kind)) {
-        pel_smooth_draw_full(&t->of.drawing, &t->smooth, t->seen.y0,
+        pel_smooth_draw_full(&t->of.drawing, &t->smooth, t->seen.y,
                              &t->part.full);
         if (t->part.some.x0 < t->part.some.x1)
-            pel_smooth_draw(&t->of.drawing, &t->smooth, t->seen.y0,
+            pel_smooth_draw(&t->of.drawing, &t->smooth, t->seen.y,
                             &t->part.some, t->part.coverage);
     }
 }

@@ -19,7 +19,8 @@ void pel_smooth_circle(const struct pel_surface *surface,
 {
     struct pel_smooth_round disc;
     disc.outline.smooth = (struct pel_smooth){surface, paint};
-    disc.center = center;
+    disc.center.x = center.x;
+    disc.center.y = center.y;
     disc.radius[0] = radius;
     disc.radius[1] = 0;
     disc.spread.x = disc.spread.y = 0;

@@ -23,7 +23,7 @@ static bool find_wall(const struct pel_smooth_short_outline *outline, int32_t i,
 {
     struct pel_smooth_curve curve;
     pel_smooth_round_curve(outline, 0, &curve);
-    return wall_in(&curve, outline->seen.y0, i, c);
+    return wall_in(&curve, outline->seen.y, i, c);
 }
 
 static const struct pel_smooth_kind walls = {.curves = 1,

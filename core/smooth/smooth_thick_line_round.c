@@ -144,7 +144,7 @@ static PEL_ALWAYS_INLINE bool find_part(
     bool lower, struct pel_smooth_crossing *crossing)
 {
     const struct capsule *const c = capsule_of(outline);
-    const int32_t y = outline->seen.y0;
+    const int32_t y = outline->seen.y;
     struct pel_smooth_far_place end[2];
     set_ends(c, i, end);
     const int64_t middle = (end[0].y + end[1].y) >> 1;
