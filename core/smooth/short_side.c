@@ -80,11 +80,6 @@ static PEL_NOINLINE void go_down(struct pel_smooth_short_side *s, int32_t h)
     s->at += s->step < 0 ? -part : part;
 }
 
-static bool is_steep(const struct pel_smooth_short_side *s)
-{
-    return (uint64_t)pel_size_of(s->step) >> 32 == 0;
-}
-
 /* What the side that is followed has next in the row, of an edge that goes down
  * to `end`. */
 static PEL_NOINLINE void next_piece(struct pel_smooth_short_walk *k,
@@ -93,10 +88,10 @@ static PEL_NOINLINE void next_piece(struct pel_smooth_short_walk *k,
     struct pel_smooth_short_side *const s = &k->work.row.side;
     struct pel_smooth_piece *const p = &k->work.row.piece;
     const struct pel_point *const edge = k->work.row.edge;
-    const int32_t bottom = PEL_PX(k->y) + 256, above = (int32_t)(s->at >> 16);
+    const int32_t bottom = PEL_PX(k->pixels.y) + 256;
+    const int32_t above = (int32_t)(s->at >> 16);
     int32_t h = 0;
-    p->rise.value = s->rise;
-    p->rise.steep = is_steep(s);
+    pel_smooth_set_whole(s, p);
     if (end != ENDED) {
         h = pel_min(end, bottom) - pel_max(edge->y, bottom - 256);
         go_down(s, h);
@@ -112,13 +107,13 @@ void pel_smooth_set_whole(const struct pel_smooth_short_side *s,
     pel_smooth_piece_set(p, (int32_t)(s->at >> 16),
                          (int32_t)((s->at + s->step) >> 16));
     p->rise.value = s->rise;
-    p->rise.steep = is_steep(s);
+    p->rise.steep = (uint64_t)pel_size_of(s->step) >> 32 == 0;
     p->height = 65536;
 }
 
 static void add_piece(struct pel_smooth_short_walk *k, int i, int32_t n)
 {
-    pel_smooth_add(&k->work.row.piece, 0 - (uint32_t)i, k->x, n,
+    pel_smooth_add(&k->work.row.piece, 0 - (uint32_t)i, k->pixels.x, n,
                    k->work.row.area);
 }
 
@@ -142,7 +137,7 @@ void pel_smooth_use_piece(struct pel_smooth_short_walk *k, int i, int32_t n)
 void pel_smooth_follow(struct pel_smooth_short_walk *k, int i, int32_t n)
 {
     struct pel_smooth_short_side *const s = &k->work.row.side;
-    const int32_t bottom = PEL_PX(k->y) + 256;
+    const int32_t bottom = PEL_PX(k->pixels.y) + 256;
     pel_smooth_copy_side(s, &k->side[i]);
     int32_t end = find_edge(k, i, s), next;
     for (;; end = next) {
@@ -159,27 +154,27 @@ void pel_smooth_follow(struct pel_smooth_short_walk *k, int i, int32_t n)
 
 void pel_smooth_look_down(struct pel_smooth_short_walk *k)
 {
-    int32_t rows = pel_min(k->end - k->y, 255);
+    int32_t rows = pel_min(k->end - k->pixels.y, 255);
     for (int i = 0; i < 2; i++) {
         const int32_t end = find_edge(k, i, &k->side[i]);
-        if (end == ENDED || k->work.row.edge->y > PEL_PX(k->y))
+        if (end == ENDED || k->work.row.edge->y > PEL_PX(k->pixels.y))
             rows = 0;
-        rows = pel_min(rows, pel_pixel_of(end - 1) - k->y);
+        rows = pel_min(rows, pel_pixel_of(end - 1) - k->pixels.y);
     }
     k->rows = (uint8_t)rows;
 }
 
-/* Begins at its vertex, and moves on to row k->y, if that is below; then up by
- * a step. */
+/* Begins at its vertex, and moves on to row k->pixels.y, if that is below; then
+ * up by a step. */
 static PEL_NOINLINE void start(struct pel_smooth_short_walk *k, int i)
 {
     struct pel_smooth_short_side *const s = &k->side[i];
-    while (enter_edge(k, i, s) <= PEL_PX(k->y))
+    while (enter_edge(k, i, s) <= PEL_PX(k->pixels.y))
         s->from = next_vertex(k, i, s->from);
     const int32_t above = k->work.row.edge->y, first = (above + 255) >> 8;
-    if (above < PEL_PX(k->y)) {
+    if (above < PEL_PX(k->pixels.y)) {
         go_down(s, PEL_PX(first) - above);
-        s->at += (int64_t)pel_times((uint64_t)s->step, k->y - first);
+        s->at += (int64_t)pel_times((uint64_t)s->step, k->pixels.y - first);
     }
     s->at -= s->step;
 }
@@ -188,8 +183,8 @@ void pel_smooth_short_start(struct pel_smooth_short_walk *k)
 {
     start(k, 0);
     start(k, 1);
-    k->y--;
+    k->pixels.y--;
     k->rows = 1;
     k->left = k->alike = k->right = 0;
-    k->coverage[0] = 255;
+    k->pixels.coverage[0] = 255;
 }

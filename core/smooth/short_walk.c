@@ -3,14 +3,14 @@
 
 static int32_t clipped(const struct pel_smooth_short_walk *k, int32_t x)
 {
-    const struct pel_rect *const clip = &k->smooth.target->clip;
+    const struct pel_rect *const clip = &k->pixels.smooth.target->clip;
     return pel_max(clip->x0, pel_min(x, clip->x1));
 }
 
 /* The pixels of a row, whose left side crosses the span. */
 static PEL_NOINLINE void set_row(struct pel_smooth_short_walk *k)
 {
-    const struct pel_span left = k->span, right = k->work.row.crossed;
+    const struct pel_span left = k->pixels.span, right = k->work.row.crossed;
     const int32_t x = clipped(k, pel_min(left.x0, right.x0));
     const int32_t end = clipped(k, pel_max(left.x1, right.x1));
     int32_t x0 = end, x1 = end;
@@ -18,7 +18,7 @@ static PEL_NOINLINE void set_row(struct pel_smooth_short_walk *k)
         x0 = clipped(k, left.x1);
         x1 = clipped(k, right.x0);
     }
-    k->x = x;
+    k->pixels.x = x;
     k->left = (uint16_t)(x0 - x);
     k->alike = (uint16_t)(x1 - x0);
     k->right = (uint16_t)(end - x1);
@@ -58,15 +58,15 @@ static PEL_NOINLINE bool next_row(struct pel_smooth_short_walk *k)
 {
     for (int i = 0; i < 2; i++)
         pass_row(k, i);
-    k->y++;
+    k->pixels.y++;
     if (k->rows > 0)
         k->rows--;
-    if (k->y == k->end)
+    if (k->pixels.y == k->end)
         return false;
     if (k->rows == 0)
         pel_smooth_look_down(k);
     for (int i = 0; i < 2; i++) {
-        k->span = k->work.row.crossed;
+        k->pixels.span = k->work.row.crossed;
         find_columns(k, i);
         if (k->rows == 0)
             pel_smooth_follow(k, i, 0);
@@ -82,7 +82,8 @@ static uint32_t area_between(const struct pel_smooth_short_walk *k)
 }
 
 /* Adds the areas right of side i in n pixels, or takes them away. */
-static void add_side(struct pel_smooth_short_walk *k, int i, int32_t n)
+static PEL_ALWAYS_INLINE void add_side(struct pel_smooth_short_walk *k, int i,
+                                       int32_t n)
 {
     if (k->rows == 0) {
         pel_smooth_follow(k, i, n);
@@ -99,119 +100,67 @@ static PEL_NOINLINE void cover_whole(struct pel_smooth_short_walk *k, int i,
     struct pel_smooth_piece p;
     const uint32_t flip = 0 - (uint32_t)i;
     const uint32_t outer = i ? area_between(k) : PEL_SMOOTH_HALF;
-    int32_t x = k->x;
+    int32_t x = k->pixels.x;
     pel_smooth_set_whole(&k->side[i], &p);
     p.height = 65536;
-    for (uint8_t *to = k->coverage; n > 0; n--, x++) {
+    for (uint8_t *to = k->pixels.coverage; n > 0; n--, x++) {
         const uint32_t area = pel_smooth_area_in(&p, x);
         *to++ = (uint8_t)((outer + (area ^ flip) - flip) >> 24);
     }
 }
 
-/* The same of all kinds of pixels, left of those that are alike, or right. */
-static PEL_NOINLINE void cover(struct pel_smooth_short_walk *k, bool left,
-                               int32_t n)
+static PEL_NOINLINE void set_areas(struct pel_smooth_short_walk *k,
+                                   uint32_t area)
 {
-    const uint32_t outer = left ? PEL_SMOOTH_HALF : area_between(k);
-    uint32_t *const area = k->work.row.area;
-    for (int32_t i = 0; i < n; i++)
-        area[i] = outer;
-    if (left)
-        add_side(k, 0, n);
-    if (!left || k->alike + k->right == 0)
-        add_side(k, 1, n);
-    for (int32_t i = 0; i < n; i++)
-        k->coverage[i] = (uint8_t)(area[i] >> 24);
+    for (int i = 0; i < PEL_SMOOTH_PIXELS; i++)
+        k->work.row.area[i] = area;
 }
 
-static void find_coverage(struct pel_smooth_short_walk *k, int32_t n)
+static PEL_NOINLINE void read_areas(struct pel_smooth_short_walk *k)
 {
-    const bool left = k->left > 0;
-    if (!PEL_SMALL_CODE && k->rows > 0 && (!left || k->alike + k->right > 0))
-        cover_whole(k, left ? 0 : 1, n);
-    else
-        cover(k, left, n);
+    for (int i = 0; i < PEL_SMOOTH_PIXELS; i++)
+        k->pixels.coverage[i] = (uint8_t)(k->work.row.area[i] >> 24);
 }
 
-/* Takes from n pixels the first ones, those of coverage 255 or 0, or all up to
- * the last that is not 0: how many are done with. */
-static PEL_NOINLINE int32_t take_pixels(struct pel_smooth_short_walk *k,
-                                        int32_t n)
-{
-    const uint8_t first = k->coverage[0];
-    int32_t end = 1;
-    k->span.x0 = k->span.x1 = k->x;
-    if (first == 0 || first == 255) {
-        while (end < n && k->coverage[end] == first)
-            end++;
-        k->coverage[0] = 255;
-        if (first)
-            k->span.x1 += end;
-        return end;
-    }
-    for (end = n; k->coverage[end - 1] == 0; end--)
-        ;
-    k->span.x1 += end;
-    return n;
-}
-
-/* Of pixels that are crossed the first ones: how many are done with. */
-static int32_t take_crossed(struct pel_smooth_short_walk *k, int32_t n)
-{
-    n = pel_min(n, PEL_SMOOTH_PIXELS);
-    find_coverage(k, n);
-    return take_pixels(k, n);
-}
-
-/* The same of those between the sides, but that empty ones are not painted. */
-static PEL_NOINLINE int32_t take_alike(struct pel_smooth_short_walk *k,
+/* The coverage of n pixels, left of those that are alike, or right of them. */
+static PEL_NOINLINE void find_coverage(struct pel_smooth_short_walk *k,
                                        int32_t n)
 {
-    const uint8_t coverage = (uint8_t)(area_between(k) >> 24);
-    k->span.x0 = k->span.x1 = k->x;
-    if (coverage == 0)
-        return n;
-    if (coverage < 255)
-        n = pel_min(n, PEL_SMOOTH_PIXELS);
-    for (int i = 0; i < PEL_SMOOTH_PIXELS; i++)
-        k->coverage[i] = coverage;
-    k->span.x1 += n;
-    return n;
+    int i = k->left == 0;
+    if (!PEL_SMALL_CODE && k->rows > 0 && (i || k->alike + k->right > 0)) {
+        cover_whole(k, i, n);
+        return;
+    }
+    set_areas(k, i ? area_between(k) : PEL_SMOOTH_HALF);
+    do
+        add_side(k, i, n);
+    while (i++ == 0 && k->alike + k->right == 0);
+    read_areas(k);
 }
 
-/* False: the paint need not be asked. */
-static PEL_NOINLINE bool begin_span(struct pel_smooth_short_walk *k)
+/* Of a part of the row the first pixels: how many are passed. */
+static int32_t take(struct pel_smooth_short_walk *k, const uint16_t *part)
 {
-    struct pel_smooth_drawing *const drawing = &k->work.drawing;
-    if (k->span.x0 >= k->span.x1)
-        return false;
-    if (k->coverage[0] < 255)
-        return pel_smooth_drawing_begin(drawing, &k->smooth, k->y, &k->span);
-    pel_smooth_drawing_set(drawing, &k->smooth, k->y, &k->span);
-    return true;
-}
-
-static void end_span(struct pel_smooth_short_walk *k)
-{
-    if (k->coverage[0] < 255)
-        pel_smooth_drawing_end(&k->work.drawing, k->coverage);
-    k->coverage[0] = 255;
+    if (part == &k->alike)
+        return pel_smooth_take_alike(&k->pixels,
+                                     (uint8_t)(area_between(k) >> 24), *part);
+    const int32_t n = pel_min(*part, PEL_SMOOTH_PIXELS);
+    find_coverage(k, n);
+    return pel_smooth_take_pixels(&k->pixels, n);
 }
 
 bool pel_smooth_short_next(struct pel_smooth_short_walk *k)
 {
     do {
         uint16_t *part = &k->left;
-        end_span(k);
+        pel_smooth_end_span(&k->pixels, &k->work.drawing);
         while (k->left + k->alike + k->right == 0)
             if (!next_row(k))
                 return false;
         while (*part == 0)
             part++;
-        const int32_t n =
-            part == &k->alike ? take_alike(k, *part) : take_crossed(k, *part);
+        const int32_t n = take(k, part);
         *part = (uint16_t)(*part - n);
-        k->x += n;
-    } while (!begin_span(k));
+    } while (!pel_smooth_begin_span(&k->pixels, &k->work.drawing));
     return true;
 }

@@ -17,10 +17,10 @@ struct pel_smooth_short_side {
 };
 
 /* Of two sides the first is the left one. What is left of the present row
- * begins at x: pixels that the left side crosses, or both sides, then some that
- * are alike, then some that the right side crosses. */
+ * begins at pixels.x: pixels that the left side crosses, or both sides, then
+ * some that are alike, then some that the right side crosses. */
 struct pel_smooth_short_walk {
-    struct pel_smooth smooth;
+    struct pel_smooth_pixels pixels;
     union {
         const struct pel_point *v;
         const struct pel_thick_line_shape *line;
@@ -29,15 +29,12 @@ struct pel_smooth_short_walk {
         int32_t n;          /* vertices */
         struct pel_point m; /* of a line: from it to its first corner */
     } of;
-    int32_t y, end; /* rows */
-    int32_t x;
-    struct pel_span span; /* painted next, or columns of the left side */
+    int32_t end; /* row */
     uint16_t left, alike, right;
     uint16_t height; /* of the shape in the row, 1/256 px */
     int8_t turn;     /* 1 or -1, to the next vertex of the right side */
     uint8_t rows;    /* from y on, that both sides cross as a whole */
     bool line, square;
-    uint8_t coverage[PEL_SMOOTH_PIXELS]; /* of the span; 255: it is full */
     struct pel_smooth_short_side side[2];
     union {
         struct pel_smooth_drawing drawing;
@@ -97,7 +94,7 @@ static PEL_ALWAYS_INLINE void pel_smooth_short_paint(
 {
     pel_smooth_short_start(k);
     while (pel_smooth_short_next(k))
-        k->smooth.paint->fill(k->smooth.paint, &k->work.drawing.spans);
+        pel_smooth_fill(&k->pixels, &k->work.drawing);
 }
 
 #endif

@@ -91,17 +91,17 @@ bool pel_smooth_begin(struct pel_smooth *smooth,
 }
 
 bool pel_smooth_drawing_begin(struct pel_smooth_drawing *d,
-                              const struct pel_smooth *smooth, int32_t y,
-                              const struct pel_span *span)
+                              const struct pel_smooth *smooth)
 {
     const struct pel_flat *const flat = pel_smooth_flat(smooth);
-    pel_smooth_drawing_set(d, smooth, y, span);
+    const struct pel_span *const span = d->spans.span;
     d->buffer.target = smooth->target;
     pel_smooth_set_colors(d->colors, span->x1 - span->x0,
                           flat ? flat->color : 0);
     if (flat)
         return false;
-    pel_smooth_buffer_set(&d->buffer, smooth->target, span, y, d->colors);
+    pel_smooth_buffer_set(&d->buffer, smooth->target, span, d->spans.y,
+                          d->colors);
     d->spans.surface = &d->buffer.surface;
     return true;
 }
@@ -121,6 +121,49 @@ void pel_smooth_drawing_end(struct pel_smooth_drawing *d,
     weigh(d->colors, n, coverage);
     if (target->format)
         target->format->put(target, span->x0, d->spans.y, n, d->colors);
+}
+
+PEL_STATIC_ASSERT(pel_smooth_pixels_are_4, PEL_SMOOTH_PIXELS == 4);
+
+int32_t pel_smooth_take_alike(struct pel_smooth_pixels *p, uint8_t coverage,
+                              int32_t n)
+{
+    if (coverage > 0 && coverage < 255)
+        n = pel_min(n, PEL_SMOOTH_PIXELS);
+    p->coverage[0] = coverage ? coverage : 255;
+    p->coverage[1] = p->coverage[2] = p->coverage[3] = coverage;
+    p->span = (struct pel_span){p->x, p->x + (coverage ? n : 0)};
+    p->x += n;
+    return n;
+}
+
+int32_t pel_smooth_take_pixels(struct pel_smooth_pixels *p, int32_t n)
+{
+    const uint8_t first = p->coverage[0];
+    if (first == 0 || first == 255)
+        return pel_smooth_take_alike(p, first, 1);
+    p->span.x0 = p->x;
+    p->span.x1 = p->x += n;
+    for (; p->coverage[n - 1] == 0; n--)
+        p->span.x1--;
+    return p->x - p->span.x0;
+}
+
+bool pel_smooth_begin_span(const struct pel_smooth_pixels *p,
+                           struct pel_smooth_drawing *d)
+{
+    if (p->span.x0 >= p->span.x1)
+        return false;
+    pel_smooth_drawing_set(d, &p->smooth, p->y, &p->span);
+    return p->coverage[0] == 255 || pel_smooth_drawing_begin(d, &p->smooth);
+}
+
+void pel_smooth_end_span(struct pel_smooth_pixels *p,
+                         struct pel_smooth_drawing *d)
+{
+    if (p->coverage[0] < 255)
+        pel_smooth_drawing_end(d, p->coverage);
+    p->coverage[0] = 255;
 }
 
 #if PEL_SMOOTH_TINY

@@ -99,13 +99,13 @@ static PEL_NOINLINE_32 bool is_legal(const struct pel_point *v, int32_t n)
 static int8_t find_rows(const struct pel_rect *clip, const struct pel_point *v,
                         int32_t n, struct pel_rect *box, struct pel_span *rows)
 {
-    const int64_t area = n < 3 ? 0 : area_of(v, n);
-    if (area == 0)
-        return 0;
+    const int64_t area = area_of(v, n);
     *box = pel_points_box(v, n);
     rows->x0 = pel_max(pel_pixel_of(box->y0), clip->y0);
     rows->x1 = pel_min(pel_pixel_of(box->y1 + 255), clip->y1);
-    return rows->x0 >= rows->x1 || is_beside(box, clip) ? 0 : area > 0 ? 1 : -1;
+    if (rows->x0 >= rows->x1 || is_beside(box, clip))
+        return 0;
+    return area > 0 ? 1 : area < 0 ? -1 : 0;
 }
 
 PEL_NOINLINE bool pel_smooth_short_begin(struct pel_smooth_short_walk *k,
@@ -114,10 +114,13 @@ PEL_NOINLINE bool pel_smooth_short_begin(struct pel_smooth_short_walk *k,
 {
     struct pel_rect box;
     struct pel_span rows;
-    k->turn = find_rows(&surface->clip, v, n, &box, &rows);
-    if (!pel_smooth_begin(&k->smooth, surface, k->smooth.paint) || !k->turn)
+    if (!pel_smooth_begin(&k->pixels.smooth, surface, k->pixels.smooth.paint) ||
+        n < 3)
         return false;
-    k->y = rows.x0;
+    k->turn = find_rows(&surface->clip, v, n, &box, &rows);
+    if (k->turn == 0)
+        return false;
+    k->pixels.y = rows.x0;
     k->end = rows.x1;
     k->side[0].from = k->side[1].from = vertex_at(v, box.y0);
     return true;
@@ -149,7 +152,7 @@ static PEL_NOINLINE_32 bool begin(struct pel_smooth_walk *k,
 {
     return is_legal(k->v, k->n) &&
            pel_smooth_begin(&k->smooth, surface, k->smooth.paint) &&
-           start_walk(k);
+           k->n >= 3 && start_walk(k);
 }
 
 /* Makes the next batch of whole rows, or goes on to what is left of a row that
@@ -171,6 +174,13 @@ static PEL_NOINLINE_32 bool next_rows(struct pel_smooth_walk *k)
     return true;
 }
 
+static PEL_NOINLINE bool begin_short(struct pel_smooth_short_walk *k,
+                                     const struct pel_surface *surface)
+{
+    return is_legal(k->shape.v, k->of.n) &&
+           pel_smooth_short_begin(k, surface, k->shape.v, k->of.n);
+}
+
 static PEL_ALWAYS_INLINE void paint_short(const struct pel_surface *surface,
                                           const struct pel_point *v, int32_t n,
                                           const struct pel_paint *paint)
@@ -179,8 +189,8 @@ static PEL_ALWAYS_INLINE void paint_short(const struct pel_surface *surface,
     k.shape.v = v;
     k.of.n = n;
     k.line = false;
-    k.smooth.paint = paint;
-    if (is_legal(v, n) && pel_smooth_short_begin(&k, surface, v, n))
+    k.pixels.smooth.paint = paint;
+    if (begin_short(&k, surface))
         pel_smooth_short_paint(&k);
 }
 

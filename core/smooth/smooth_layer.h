@@ -92,8 +92,7 @@ static inline void pel_smooth_drawing_set(struct pel_smooth_drawing *drawing,
 /* Begins with so many pixels at most, which are to be weighed. False: the paint
  * is one color, and need not be asked. Ends with a coverage each. */
 bool pel_smooth_drawing_begin(struct pel_smooth_drawing *drawing,
-                              const struct pel_smooth *smooth, int32_t y,
-                              const struct pel_span *span);
+                              const struct pel_smooth *smooth);
 void pel_smooth_drawing_end(struct pel_smooth_drawing *drawing,
                             const uint8_t *coverage);
 
@@ -103,7 +102,8 @@ static PEL_ALWAYS_INLINE void pel_smooth_draw(
     struct pel_smooth_drawing *drawing, const struct pel_smooth *smooth,
     int32_t y, const struct pel_span *span, const uint8_t *coverage)
 {
-    if (pel_smooth_drawing_begin(drawing, smooth, y, span))
+    pel_smooth_drawing_set(drawing, smooth, y, span);
+    if (pel_smooth_drawing_begin(drawing, smooth))
         smooth->paint->fill(smooth->paint, &drawing->spans);
     pel_smooth_drawing_end(drawing, coverage);
 }
@@ -115,6 +115,36 @@ static PEL_ALWAYS_INLINE void pel_smooth_draw_full(
     pel_smooth_drawing_set(drawing, smooth, y, span);
     if (span->x0 < span->x1)
         smooth->paint->fill(smooth->paint, &drawing->spans);
+}
+
+/* Pixels of a row that are painted next, and where the row goes on. */
+struct pel_smooth_pixels {
+    struct pel_smooth smooth;
+    int32_t x, y;
+    struct pel_span span;
+    uint8_t coverage[PEL_SMOOTH_PIXELS]; /* if the first is 255, so are all */
+};
+
+/* Takes from n pixels of a coverage each, from x on, the first one, if that is
+ * 0 or 255, or all, up to the last that is not 0: how many are passed. */
+int32_t pel_smooth_take_pixels(struct pel_smooth_pixels *pixels, int32_t n);
+
+/* The same of pixels of one coverage. */
+int32_t pel_smooth_take_alike(struct pel_smooth_pixels *pixels,
+                              uint8_t coverage, int32_t n);
+
+/* Begins to paint the pixels that are taken. False: the paint need not be asked
+ * (pel_smooth_fill). Ends; the first time 255 is to be set, as nothing is
+ * begun. */
+bool pel_smooth_begin_span(const struct pel_smooth_pixels *pixels,
+                           struct pel_smooth_drawing *drawing);
+void pel_smooth_end_span(struct pel_smooth_pixels *pixels,
+                         struct pel_smooth_drawing *drawing);
+
+static inline void pel_smooth_fill(const struct pel_smooth_pixels *pixels,
+                                   const struct pel_smooth_drawing *drawing)
+{
+    pixels->smooth.paint->fill(pixels->smooth.paint, &drawing->spans);
 }
 
 #endif

@@ -61,7 +61,7 @@ static PEL_ALWAYS_INLINE void paint_short(
     struct pel_smooth_short_walk k;
     k.shape.line = line;
     k.square = square;
-    k.smooth.paint = paint;
+    k.pixels.smooth.paint = paint;
     if (begin_short(&k, surface))
         pel_smooth_short_paint(&k);
 }
