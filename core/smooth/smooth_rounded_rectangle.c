@@ -42,7 +42,16 @@ static bool find_wall(struct pel_smooth_outline *o, int32_t y, int32_t i,
     return wall_in(o->curve, y, i, c);
 }
 
-static const struct pel_smooth_sides walls = {.other = find_wall};
+/* It is in a row what it was in the one above. */
+static void stay(struct pel_smooth_outline *o, int32_t i,
+                 struct pel_smooth_crossing *c)
+{
+    (void)o;
+    (void)i;
+    (void)c;
+}
+
+static const struct pel_smooth_sides walls = {.other = find_wall, .down = stay};
 
 static inline void paint_rounded(struct pel_smooth_round *t)
 {
