@@ -93,8 +93,8 @@ section ~ /^\.text/ && /^ .* 0x[0-9a-f]+ +0x[0-9a-f]+ .*\.o\)?$/ {
         list = $0
         sub(/.*\[sp, #-/, "", list)
         frame[code] += list + 0
-    } else if ($2 ~ /^sub/ && $3 == "sp," && $4 ~ /^#/) {
-        frame[code] += substr($4, 2)
+    } else if ($2 ~ /^sub/ && $3 == "sp," && ($4 == "sp," ? $5 : $4) ~ /^#/) {
+        frame[code] += substr($4 == "sp," ? $5 : $4, 2)
     } else if ($2 ~ /^add/ && $3 == "sp," && literal[$NF "@" code] != "") {
         large[code] = literal[$NF "@" code] # negative, in a pool below
     } else if ($2 ~ /^(sub|add)/ && $3 == "sp," && $NF ~ /^r[0-9]/ &&
