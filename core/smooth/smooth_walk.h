@@ -7,7 +7,7 @@
 #include "smooth_edge.h"
 
 /* Pixels of a row whose areas are summed at a time, each a byte of a batch. */
-enum { PEL_SMOOTH_SUMS = PEL_64BIT ? 32 : 6 };
+enum { PEL_SMOOTH_SUMS = PEL_64BIT && !PEL_SMOOTH_TINY ? 32 : 6 };
 PEL_STATIC_ASSERT(pel_smooth_sums_fit,
                   (int)PEL_SMOOTH_SUMS <= (int)PEL_SMOOTH_BATCH_BYTES);
 
