@@ -258,16 +258,20 @@ static PEL_ALWAYS_INLINE int32_t pel_cells_pass_here(struct pel_cells *c,
 bool pel_cells_end(struct pel_cells *c, int32_t step, int32_t row,
                    int32_t bend);
 
-/* Ends all runs at hi, by a step that no error reaches: no pixel is left. */
+/* Ends all runs at hi: no pixel is left. An error below 0 never grows; where
+ * stack is short a step that no error reaches is the sign for it, as `at` may
+ * be a run that is not over. */
 enum { PEL_CELL_ALL = 0x7FFFFFFF };
 
 static inline bool pel_cells_end_all(struct pel_cells *c)
 {
-    if (PEL_CELL_ROWS == 1) {
-        c->at.x1 = c->hi;
+    if (PEL_SHORT_STACK)
+        return pel_cells_end(c, PEL_CELL_ALL, 0, 0);
+    c->at.x1 = c->hi;
+    if (PEL_CELL_ROWS == 1)
         return false;
-    }
-    return pel_cells_end(c, PEL_CELL_ALL, 0, 0);
+    c->error = -1;
+    return pel_cells_end(c, 0, 0, 0);
 }
 
 /* Moves by `count` >= 1 cells, each `width` and part / n wide. */

@@ -252,7 +252,7 @@ bool pel_cells_end(struct pel_cells *c, int32_t step, int32_t row, int32_t bend)
     const int32_t hi = c->hi;
     int32_t x = c->at.x1;
     int64_t error = c->error;
-    if (PEL_CELL_ROWS > 1 && step == PEL_CELL_ALL)
+    if (PEL_SHORT_STACK && step == PEL_CELL_ALL)
         x = hi;
     for (; error < 0 && x < hi; x++) {
         error += step;

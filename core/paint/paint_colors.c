@@ -23,6 +23,15 @@ static PEL_STEP_OR_INLINE void fill_in_place(const struct pel_color_paint *p,
                       pel_address32(spans->surface, span->x0, y));
 }
 
+/* y, or the same anew: where code is to be small it is not kept over calls. */
+static inline int32_t row_of(const struct pel_spans *spans,
+                             const struct pel_span *span, int32_t y)
+{
+    return PEL_SMALL_CODE
+               ? spans->y + (int32_t)(span - spans->span) * spans->step
+               : y;
+}
+
 /* Through a short buffer, in parts that begin at multiples of its length, but
  * where code is short. Little is kept over the calls, to spare stack. */
 static PEL_STEP_OR_INLINE void fill_rows(const struct pel_color_paint *p,
@@ -35,8 +44,9 @@ static PEL_STEP_OR_INLINE void fill_rows(const struct pel_color_paint *p,
         for (int32_t x = span->x0, n; x < span->x1; x += n) {
             const int32_t before = PEL_SHORT_STACK ? 0 : x & (RUN_PIXELS - 1);
             n = pel_min(span->x1 - x, RUN_PIXELS - before);
-            p->colors(p, x, y, n, colors);
-            pel_put_colors(spans->surface, x, y, n, colors);
+            p->colors(p, x, row_of(spans, span, y), n, colors);
+            pel_put_colors(spans->surface, x, row_of(spans, span, y), n,
+                           colors);
         }
 }
 

@@ -94,8 +94,8 @@ static PEL_STEP pel_color dithered_color(pel_color color,
 }
 
 /* n >= 1 pixels, each like the one eight before, which is `bits` bytes away. */
-static PEL_STEP_OR_INLINE void repeat_pixels(const struct pel_surface *target,
-                                             int32_t x, int32_t y, int32_t n)
+static PEL_STEP void repeat_pixels(const struct pel_surface *target, int32_t x,
+                                   int32_t y, int32_t n)
 {
     const int32_t bits = target->format->bits;
     uint8_t *p = (uint8_t *)pel_address(target, x, y, bits / 8);

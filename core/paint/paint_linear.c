@@ -141,14 +141,16 @@ static PEL_NOINLINE_32 void row_walk_colors(void *walk, int32_t n,
     const struct pel_linear *p = w->paint;
     const struct pel_gradient *const g = &p->base;
     const int64_t square = p->square;
-    const int64_t outside_step = is_padded(p) ? 256 * (int64_t)p->d.x : 0;
+    const bool padded = is_padded(p);
+    const int64_t outside_step = padded ? 256 * (int64_t)p->d.x : 0;
     struct pixel copy = w->at, *const at = PEL_SHORT_STACK ? &w->at : &copy;
     for (; n > 0; n--, out++) {
         int32_t index = at->index;
         if ((uint64_t)at->outside >= (uint64_t)square)
             index = (at->outside < 0) == (p->direction > 0) ? 0 : g->cells - 1;
         *out = g->color(g, index);
-        at->outside += outside_step;
+        if (PEL_SHORT_STACK || padded)
+            at->outside += outside_step;
         at->error += w->error_step;
         at->index += w->index_step;
         if (at->error >= square) {
