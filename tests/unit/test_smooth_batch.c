@@ -104,14 +104,15 @@ static void draw_pixels(const struct pel_smooth *smooth,
 
 TEST(rows_are_their_pixels)
 {
-    static const int32_t sizes[] = {0, 8, 41, 48, 50, 121, 124, 255};
+    static const int32_t sizes[] = {0, 8, 41, 48, 49, 50, 121, 124, 129, 255};
     uint8_t coverage[510];
     make_paint();
     for (int i = 0; i < 510; i++)
         coverage[i] = (uint8_t)(i * 7);
-    for (int i = 0; i < 8 * 8 * 3; i++) {
+    for (int i = 0; i < 10 * 10 * 3; i++) {
         const struct pel_smooth_row row = {
-            0, LEFT + 1, sizes[i % 8], i / 64 + 7, sizes[i / 8 % 8], coverage};
+            0,           LEFT + 1,           sizes[i % 10],
+            i / 100 + 7, sizes[i / 10 % 10], coverage};
         struct pel_smooth smooth;
         struct pel_surface surface;
         begin(&smooth, &surface, expected);
