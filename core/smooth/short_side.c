@@ -36,7 +36,7 @@ static PEL_NOINLINE int32_t next_vertex(const struct pel_smooth_short_walk *k,
                                         int i, int32_t at)
 {
     const int32_t n = count_of(k);
-    at += i ? k->turn : -k->turn;
+    at += (i == 0) == k->backwards ? 1 : -1;
     return at == n ? 0 : at < 0 ? n - 1 : at;
 }
 
@@ -113,7 +113,7 @@ void pel_smooth_set_whole(const struct pel_smooth_short_side *s,
 
 static void add_piece(struct pel_smooth_short_walk *k, int i, int32_t n)
 {
-    pel_smooth_add(&k->work.row.piece, 0 - (uint32_t)i, k->pixels.x, n,
+    pel_smooth_add(&k->work.row.piece, 0 - (uint32_t)i, k->pixels.span.x1, n,
                    k->work.row.area);
 }
 
@@ -123,7 +123,7 @@ static void note_piece(struct pel_smooth_short_walk *k)
     struct pel_span *const crossed = &k->work.row.crossed;
     crossed->x0 = pel_min(crossed->x0, p->lo >> 16);
     crossed->x1 = pel_max(crossed->x1, (p->hi >> 16) + 1);
-    k->height = (uint16_t)(k->height + (p->height >> 8));
+    k->height = (uint8_t)(k->height + (p->height >> 8));
 }
 
 void pel_smooth_use_piece(struct pel_smooth_short_walk *k, int i, int32_t n)
@@ -152,16 +152,20 @@ void pel_smooth_follow(struct pel_smooth_short_walk *k, int i, int32_t n)
     }
 }
 
-void pel_smooth_look_down(struct pel_smooth_short_walk *k)
+bool pel_smooth_look_down(struct pel_smooth_short_walk *k)
 {
-    int32_t rows = pel_min(k->end - k->pixels.y, 255);
+    const int32_t y = k->pixels.y;
+    int32_t rows = pel_min(k->pixels.smooth.target->clip.y1 - y, 31);
+    bool any = false;
     for (int i = 0; i < 2; i++) {
         const int32_t end = find_edge(k, i, &k->side[i]);
-        if (end == ENDED || k->work.row.edge->y > PEL_PX(k->pixels.y))
-            rows = 0;
-        rows = pel_min(rows, pel_pixel_of(end - 1) - k->pixels.y);
+        any = any || (end != ENDED && rows > 0);
+        if (end == ENDED || k->work.row.edge->y > PEL_PX(y))
+            rows = pel_min(rows, 0);
+        rows = pel_min(rows, pel_pixel_of(end - 1) - y);
     }
-    k->rows = (uint8_t)rows;
+    k->rows = (unsigned)rows & 31;
+    return any;
 }
 
 /* Begins at its vertex, and moves on to row k->pixels.y, if that is below; then

@@ -18,7 +18,7 @@ static PEL_NOINLINE void set_row(struct pel_smooth_short_walk *k)
         x0 = clipped(k, left.x1);
         x1 = clipped(k, right.x0);
     }
-    k->pixels.x = x;
+    k->pixels.span.x1 = x;
     k->left = (uint16_t)(x0 - x);
     k->alike = (uint16_t)(x1 - x0);
     k->right = (uint16_t)(end - x1);
@@ -35,7 +35,6 @@ static PEL_NOINLINE void find_columns(struct pel_smooth_short_walk *k, int i)
     k->height = 0;
     if (k->rows > 0) {
         below = (int32_t)((s->at + s->step) >> 32);
-        k->height = 256;
     }
     crossed->x0 = pel_min(x, below);
     crossed->x1 = pel_max(x, below) + 1;
@@ -61,10 +60,8 @@ static PEL_NOINLINE bool next_row(struct pel_smooth_short_walk *k)
     k->pixels.y++;
     if (k->rows > 0)
         k->rows--;
-    if (k->pixels.y == k->end)
+    if (k->rows == 0 && !pel_smooth_look_down(k))
         return false;
-    if (k->rows == 0)
-        pel_smooth_look_down(k);
     for (int i = 0; i < 2; i++) {
         k->pixels.span = k->work.row.crossed;
         find_columns(k, i);
@@ -78,7 +75,8 @@ static PEL_NOINLINE bool next_row(struct pel_smooth_short_walk *k)
 /* Of pixels that are covered as high as the row is. */
 static uint32_t area_between(const struct pel_smooth_short_walk *k)
 {
-    return PEL_SMOOTH_HALF + k->height * (UINT32_C(255) << 16);
+    const uint32_t height = (uint8_t)(k->height - 1) + UINT32_C(1);
+    return PEL_SMOOTH_HALF + height * (UINT32_C(255) << 16);
 }
 
 /* Adds the areas right of side i in n pixels, or takes them away. */
@@ -100,7 +98,7 @@ static PEL_NOINLINE void cover_whole(struct pel_smooth_short_walk *k, int i,
     struct pel_smooth_piece p;
     const uint32_t flip = 0 - (uint32_t)i;
     const uint32_t outer = i ? area_between(k) : PEL_SMOOTH_HALF;
-    int32_t x = k->pixels.x;
+    int32_t x = k->pixels.span.x1;
     pel_smooth_set_whole(&k->side[i], &p);
     p.height = 65536;
     for (uint8_t *to = k->pixels.coverage; n > 0; n--, x++) {

@@ -4,21 +4,25 @@
 #ifndef PEL_SMOOTH_SHORT_WALK_H
 #define PEL_SMOOTH_SHORT_WALK_H
 
+#include "../base/divide.h"
 #include "../raster/thick_line.h"
 #include "smooth_edge.h"
 #include "smooth_layer.h"
 
+/* 64 bits, aligned to 4 where stack is short. */
+typedef pel_dividend pel_smooth_far;
+
 /* A side at the top of the row, or, where its edge begins in it, there. */
 struct pel_smooth_short_side {
-    int64_t at;    /* x, px 2^-32 */
-    int64_t step;  /* to the next row */
+    pel_smooth_far at;   /* x, px 2^-32 */
+    pel_smooth_far step; /* to the next row */
     uint32_t rise; /* its value: it is steep if the step is below a pixel */
     int32_t from;  /* the vertex that its edge begins at */
 };
 
 /* Of two sides the first is the left one. What is left of the present row
- * begins at pixels.x: pixels that the left side crosses, or both sides, then
- * some that are alike, then some that the right side crosses. */
+ * begins behind pixels.span: pixels that the left side crosses, or both sides,
+ * then some that are alike, then some that the right side crosses. */
 struct pel_smooth_short_walk {
     struct pel_smooth_pixels pixels;
     union {
@@ -29,12 +33,11 @@ struct pel_smooth_short_walk {
         int32_t n;          /* vertices */
         struct pel_point m; /* of a line: from it to its first corner */
     } of;
-    int32_t end; /* row */
     uint16_t left, alike, right;
-    uint16_t height; /* of the shape in the row, 1/256 px */
-    int8_t turn;     /* 1 or -1, to the next vertex of the right side */
-    uint8_t rows;    /* from y on, that both sides cross as a whole */
-    bool line, square;
+    uint8_t height;     /* of the shape in the row, 1/256 px; 0: 256 */
+    unsigned rows : 5;  /* from y on, that both sides cross as a whole */
+    bool backwards : 1; /* its left side goes on to the next vertex */
+    bool line : 1, square : 1;
     struct pel_smooth_short_side side[2];
     union {
         struct pel_smooth_drawing drawing;
@@ -59,9 +62,9 @@ bool pel_smooth_short_begin(struct pel_smooth_short_walk *k,
  * as if it were whole, is done. */
 void pel_smooth_short_start(struct pel_smooth_short_walk *k);
 
-/* How many rows from y on edges of both sides cross as a whole, and end below.
- */
-void pel_smooth_look_down(struct pel_smooth_short_walk *k);
+/* Finds how many rows from y on edges of both sides cross as a whole, and end
+ * below. False: no row is left. */
+bool pel_smooth_look_down(struct pel_smooth_short_walk *k);
 
 /* Follows side i through the row, and uses all that it has there. */
 void pel_smooth_follow(struct pel_smooth_short_walk *k, int i, int32_t n);

@@ -132,8 +132,8 @@ int32_t pel_smooth_take_alike(struct pel_smooth_pixels *p, uint8_t coverage,
         n = pel_min(n, PEL_SMOOTH_PIXELS);
     p->coverage[0] = coverage ? coverage : 255;
     p->coverage[1] = p->coverage[2] = p->coverage[3] = coverage;
-    p->span = (struct pel_span){p->x, p->x + (coverage ? n : 0)};
-    p->x += n;
+    p->span.x0 = p->span.x1 + (coverage ? 0 : n);
+    p->span.x1 += n;
     return n;
 }
 
@@ -142,11 +142,11 @@ int32_t pel_smooth_take_pixels(struct pel_smooth_pixels *p, int32_t n)
     const uint8_t first = p->coverage[0];
     if (first == 0 || first == 255)
         return pel_smooth_take_alike(p, first, 1);
-    p->span.x0 = p->x;
-    p->span.x1 = p->x += n;
-    for (; p->coverage[n - 1] == 0; n--)
-        p->span.x1--;
-    return p->x - p->span.x0;
+    while (p->coverage[n - 1] == 0)
+        n--;
+    p->span.x0 = p->span.x1;
+    p->span.x1 += n;
+    return n;
 }
 
 bool pel_smooth_begin_span(const struct pel_smooth_pixels *p,

@@ -117,11 +117,11 @@ PEL_NOINLINE bool pel_smooth_short_begin(struct pel_smooth_short_walk *k,
     if (!pel_smooth_begin(&k->pixels.smooth, surface, k->pixels.smooth.paint) ||
         n < 3)
         return false;
-    k->turn = find_rows(&surface->clip, v, n, &box, &rows);
-    if (k->turn == 0)
+    const int8_t turn = find_rows(&surface->clip, v, n, &box, &rows);
+    if (turn == 0)
         return false;
+    k->backwards = turn < 0;
     k->pixels.y = rows.x0;
-    k->end = rows.x1;
     k->side[0].from = k->side[1].from = vertex_at(v, box.y0);
     return true;
 }

@@ -117,16 +117,16 @@ static PEL_ALWAYS_INLINE void pel_smooth_draw_full(
         smooth->paint->fill(smooth->paint, &drawing->spans);
 }
 
-/* Pixels of a row that are painted next, and where the row goes on. */
+/* Pixels of a row that are painted next; behind them the row goes on. */
 struct pel_smooth_pixels {
     struct pel_smooth smooth;
-    int32_t x, y;
+    int32_t y;
     struct pel_span span;
     uint8_t coverage[PEL_SMOOTH_PIXELS]; /* if the first is 255, so are all */
 };
 
-/* Takes from n pixels of a coverage each, from x on, the first one, if that is
- * 0 or 255, or all, up to the last that is not 0: how many are passed. */
+/* Takes from n pixels of a coverage each, where the row goes on, the first one,
+ * if that is 0 or 255, or all, up to the last that is not 0: how many. */
 int32_t pel_smooth_take_pixels(struct pel_smooth_pixels *pixels, int32_t n);
 
 /* The same of pixels of one coverage. */

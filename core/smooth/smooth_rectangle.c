@@ -122,7 +122,7 @@ static PEL_NOINLINE bool begin(struct short_rectangle *k,
 {
     const struct pel_rect pixels = pixels_of(&k->box);
     k->seen = pel_rect_intersect(&pixels, &surface->clip);
-    k->pixels.x = k->seen.x0;
+    k->pixels.span.x1 = k->seen.x0;
     k->pixels.y = k->seen.y0;
     k->pixels.coverage[0] = 255;
     return pel_smooth_begin(&k->pixels.smooth, surface,
@@ -133,7 +133,7 @@ static PEL_NOINLINE bool begin(struct short_rectangle *k,
 /* Takes pixels that are alike: the first, the last, or those between. */
 static PEL_NOINLINE void take(struct short_rectangle *k)
 {
-    const int32_t x = k->pixels.x;
+    const int32_t x = k->pixels.span.x1;
     const int32_t first = pel_pixel_of(k->box.x0);
     const int32_t last = pel_pixel_of(k->box.x1 + 255) - 1;
     const int32_t area = coverage_at(&k->box, x, k->pixels.y);
@@ -147,8 +147,8 @@ static PEL_NOINLINE bool next(struct short_rectangle *k)
 {
     do {
         pel_smooth_end_span(&k->pixels, &k->drawing);
-        if (k->pixels.x == k->seen.x1) {
-            k->pixels.x = k->seen.x0;
+        if (k->pixels.span.x1 == k->seen.x1) {
+            k->pixels.span.x1 = k->seen.x0;
             k->pixels.y++;
         }
         if (k->pixels.y == k->seen.y1)
