@@ -14,12 +14,11 @@ static struct pel_rect box_of(const struct pel_smooth_curve *curve,
         pel_pixel_of(far.x + width) + 1, pel_pixel_of(far.y + height + 255)};
 }
 
-static void set_curve(const struct pel_smooth_round *r, int32_t i,
+static void set_curve(const struct pel_smooth_round *r,
                       struct pel_smooth_curve *curve)
 {
     curve->center = r->center;
     curve->spread = r->spread;
-    curve->circle.hole = i > 0;
 }
 
 #if PEL_SMOOTH_TINY
@@ -27,16 +26,12 @@ bool pel_smooth_round_curve(const struct pel_smooth_short_outline *round,
                             int32_t i, struct pel_smooth_curve *curve)
 {
     const struct pel_smooth_round *const r = (const void *)round;
-    pel_smooth_circle_begin(&curve->circle, r->radius[i]);
-    curve->circle.of.inverse = r->inverse[i];
-    set_curve(r, i, curve);
+    PEL_CAST(void, i);
+    pel_smooth_circle_begin(&curve->circle, r->radius);
+    curve->circle.of.inverse = r->inverse;
+    set_curve(r, curve);
     return true;
 }
-
-const struct pel_smooth_kind pel_smooth_discs = {
-    .curves = 1, .curve = pel_smooth_round_curve};
-const struct pel_smooth_kind pel_smooth_rings = {
-    .curves = 2, .curve = pel_smooth_round_curve};
 
 bool pel_smooth_curve_begin(struct pel_smooth_short_outline *t,
                             const struct pel_smooth_curve *curve, int32_t reach)
@@ -48,12 +43,10 @@ bool pel_smooth_curve_begin(struct pel_smooth_short_outline *t,
 bool pel_smooth_round_begin(struct pel_smooth_round *r)
 {
     struct pel_smooth_curve curve;
-    for (int32_t i = 1; i >= 0; i--) {
-        pel_smooth_circle_set(&curve.circle, r->radius[i]);
-        r->inverse[i] = curve.circle.of.inverse;
-    }
-    set_curve(r, 0, &curve);
-    return pel_smooth_curve_begin(&r->outline, &curve, r->radius[0]);
+    pel_smooth_circle_set(&curve.circle, r->radius);
+    r->inverse = curve.circle.of.inverse;
+    set_curve(r, &curve);
+    return pel_smooth_curve_begin(&r->outline, &curve, r->radius);
 }
 #else
 bool pel_smooth_curve_begin(struct pel_smooth_outline *o,
@@ -70,13 +63,18 @@ bool pel_smooth_curve_begin(struct pel_smooth_outline *o,
 
 bool pel_smooth_round_begin(struct pel_smooth_round *r)
 {
-    for (int32_t i = r->radius[1] > 0; i >= 0; i--) {
-        pel_smooth_circle_set(&r->curve[i].circle, r->radius[i]);
-        set_curve(r, i, &r->curve[i]);
-    }
-    if (!pel_smooth_curve_begin(&r->outline, r->curve, r->radius[0]))
-        return false;
-    r->outline.curves = r->radius[1] > 0 ? 2 : 1;
-    return true;
+    pel_smooth_circle_set(&r->curve->circle, r->radius);
+    set_curve(r, r->curve);
+    return pel_smooth_curve_begin(&r->outline, r->curve, r->radius);
+}
+
+void pel_smooth_round_cut(struct pel_smooth_round *r, int32_t radius)
+{
+    if (radius == 0)
+        return;
+    r->outline.curves = 2;
+    pel_smooth_circle_set(&r->curve[1].circle, radius);
+    r->curve[1].circle.hole = true;
+    set_curve(r, &r->curve[1]);
 }
 #endif

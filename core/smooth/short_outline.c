@@ -20,7 +20,8 @@ bool pel_smooth_short_outline_begin(struct pel_smooth_short_outline *t,
     t->seen.y = (int16_t)r.y0;
     t->seen.last_x = (int16_t)(r.x1 - 1);
     t->seen.last_y = (int16_t)(r.y1 - 1);
-    t->part.full.x1 = r.x0;
+    t->part.full = (struct pel_span){r.x0, r.x0};
+    t->part.some = t->part.full;
     t->at[1] = -1;
     move_down(t);
     return !pel_rect_empty(&r) &&
@@ -220,6 +221,8 @@ static PEL_ALWAYS_INLINE void find_part(struct pel_smooth_short_outline *t,
 bool pel_smooth_next_part(struct pel_smooth_short_outline *t,
                           const struct pel_smooth_kind *kind)
 {
+    if (t->part.some.x0 < t->part.some.x1)
+        pel_smooth_drawing_end(&t->of.drawing, t->part.coverage);
     if (t->part.full.x1 > t->seen.last_x) {
         if (t->seen.y == t->seen.last_y)
             return false;
@@ -229,5 +232,15 @@ bool pel_smooth_next_part(struct pel_smooth_short_outline *t,
     }
     find_part(t, kind);
     return true;
+}
+
+bool pel_smooth_begin_part(struct pel_smooth_short_outline *t,
+                           const struct pel_span *span)
+{
+    struct pel_smooth_drawing *const d = &t->of.drawing;
+    if (span->x0 >= span->x1)
+        return false;
+    pel_smooth_drawing_set(d, &t->smooth, t->seen.y, span);
+    return span == &t->part.full || pel_smooth_drawing_begin(d, &t->smooth);
 }
 #endif

@@ -60,20 +60,24 @@ struct pel_smooth_kind {
 bool pel_smooth_short_outline_begin(struct pel_smooth_short_outline *outline,
                                     const struct pel_rect *box);
 
-/* Finds the next part; false at the end. */
+/* Ends a part, and finds the next one; false at the end. */
 bool pel_smooth_next_part(struct pel_smooth_short_outline *outline,
                           const struct pel_smooth_kind *kind);
 
+/* Begins its full pixels, then the others; false: the paint need not be asked.
+ */
+bool pel_smooth_begin_part(struct pel_smooth_short_outline *outline,
+                           const struct pel_span *span);
+
 /* Paints what is to be seen, from the frame of the shape. */
 static PEL_ALWAYS_INLINE void pel_smooth_short_outline_paint(
-    struct pel_smooth_short_outline *t, const struct pel_smooth_kind *kind)
+    struct pel_smooth_short_outline *o, const struct pel_smooth_kind *kind)
 {
-    while (pel_smooth_next_part(t, kind)) {
-        pel_smooth_draw_full(&t->of.drawing, &t->smooth, t->seen.y,
-                             &t->part.full);
-        if (t->part.some.x0 < t->part.some.x1)
-            pel_smooth_draw(&t->of.drawing, &t->smooth, t->seen.y,
-                            &t->part.some, t->part.coverage);
+    while (pel_smooth_next_part(o, kind)) {
+        if (pel_smooth_begin_part(o, &o->part.full))
+            o->smooth.paint->fill(o->smooth.paint, &o->of.drawing.spans);
+        if (pel_smooth_begin_part(o, &o->part.some))
+            o->smooth.paint->fill(o->smooth.paint, &o->of.drawing.spans);
     }
 }
 

@@ -146,10 +146,12 @@ static bool begin_whole(struct pel_smooth_round *t,
                         const struct pel_arc_shape *arc)
 {
     t->center = arc->center;
-    t->radius[0] = arc->outer;
-    t->radius[1] = arc->inner;
+    t->radius = arc->outer;
     t->spread.x = t->spread.y = 0;
-    return pel_smooth_round_begin(t);
+    if (!pel_smooth_round_begin(t))
+        return false;
+    pel_smooth_round_cut(t, arc->inner);
+    return true;
 }
 
 /* False: nothing is to be seen. */

@@ -2,10 +2,25 @@
 
 #include "round.h"
 
+#if PEL_SMOOTH_TINY
+static const struct pel_smooth_kind discs = {.curves = 1,
+                                             .curve = pel_smooth_round_curve};
+
+static PEL_ALWAYS_INLINE void paint_disc(struct pel_smooth_round *disc)
+{
+    pel_smooth_short_outline_paint(&disc->outline, &discs);
+}
+#else
+static inline void paint_disc(struct pel_smooth_round *disc)
+{
+    pel_smooth_outline_paint(&disc->outline);
+}
+#endif
+
 /* False: nothing is to be seen. */
 static PEL_NOINLINE_32 bool begin(struct pel_smooth_round *disc)
 {
-    const int32_t radius = disc->radius[0];
+    const int32_t radius = disc->radius;
     const bool legal =
         pel_point_legal(disc->center) && pel_radius_legal(radius);
     PEL_ASSERT(legal);
@@ -21,9 +36,8 @@ void pel_smooth_circle(const struct pel_surface *surface,
     disc.outline.smooth = (struct pel_smooth){surface, paint};
     disc.center.x = center.x;
     disc.center.y = center.y;
-    disc.radius[0] = radius;
-    disc.radius[1] = 0;
+    disc.radius = radius;
     disc.spread.x = disc.spread.y = 0;
     if (begin(&disc))
-        pel_smooth_round_paint(&disc, false);
+        paint_disc(&disc);
 }

@@ -83,8 +83,7 @@ static PEL_NOINLINE_32 bool begin(struct pel_smooth_round *t,
     t->center = (struct pel_point){from.x + radius, from.y + radius};
     t->spread.x = to.x - from.x - 2 * radius;
     t->spread.y = to.y - from.y - 2 * radius;
-    t->radius[0] = radius;
-    t->radius[1] = 0;
+    t->radius = radius;
     return pel_smooth_round_begin(t);
 }
 
