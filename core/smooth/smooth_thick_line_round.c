@@ -103,8 +103,8 @@ static struct pel_smooth_place place_of(const struct capsule *c, int32_t i,
     return i == last ? opposite : p;
 }
 
-static bool curve(const struct pel_smooth_short_outline *outline, int32_t i,
-                  struct pel_smooth_curve *curve)
+static bool curve_of(const struct pel_smooth_short_outline *outline, int32_t i,
+                     struct pel_smooth_curve *curve)
 {
     const struct capsule *const c = capsule_of(outline);
     struct pel_point end[2];
@@ -173,7 +173,7 @@ static bool find_line(const struct pel_smooth_short_outline *outline, int32_t i,
                                          !wide || lower, crossing);
 }
 
-static const struct pel_smooth_kind sides = {2, 4, curve, cut, find_line};
+static const struct pel_smooth_kind sides = {2, 4, curve_of, cut, find_line};
 
 static PEL_NOINLINE void set_capsule(struct capsule *c)
 {
