@@ -1,5 +1,7 @@
 #include "paint_blend.h"
 
+#include "../smooth/smooth.h"
+
 /* At a time; fewer where stack is short. */
 enum {
     COLORS = PEL_SMALL_CODE      ? 1
@@ -37,8 +39,6 @@ static uint32_t channel_of(enum pel_blend_mode mode, uint32_t d, uint32_t s)
 static PEL_ALWAYS_INLINE pel_color combined(enum pel_blend_mode mode,
                                             pel_color d, pel_color s)
 {
-    if (mode == PEL_BLEND_XOR)
-        return (d & UINT32_C(0xFFFFFF)) ^ s;
     pel_color out = pel_alpha(s) << 24;
     for (int shift = 0; shift < 24; shift += 8)
         out |= channel_of(mode, d >> shift & 255, s >> shift & 255) << shift;
@@ -56,24 +56,23 @@ static void load(const struct pel_surface *surface, int32_t x, int32_t y,
 static PEL_ALWAYS_INLINE int32_t load_out(const struct pel_surface *surface,
                                           int32_t x, int32_t y, int32_t n)
 {
-    const struct pel_surface *const target = target_of(surface);
+    const struct pel_surface *const target =
+        pel_smooth_target(target_of(surface));
     n = pel_min(n, COLORS);
     target->format->load(target, x, y, n, proxy_of(surface)->out);
     return n;
 }
 
-/* Combines the first n >= 1 of `out` with colors, `next` from each to the next.
- */
+/* Combines the first n of `out` with colors, `next` from each to the next. */
 static PEL_NOINLINE_32 void combine_out(struct proxy *proxy, int32_t n,
                                         const pel_color *colors, int32_t next)
 {
     const enum pel_blend_mode mode = proxy->mode;
     pel_color *out = proxy->out;
-    do {
+    for (; mode == PEL_BLEND_XOR && n > 0; n--, colors += next, out++)
+        *out = (*out & UINT32_C(0xFFFFFF)) ^ *colors;
+    for (; n > 0; n--, colors += next, out++)
         *out = combined(mode, *out, *colors);
-        out++;
-        colors += next;
-    } while (--n);
 }
 
 static PEL_ALWAYS_INLINE void put_out(const struct pel_surface *surface,
@@ -93,6 +92,15 @@ static void put(const struct pel_surface *surface, int32_t x, int32_t y,
     }
 }
 
+/* y, or the same anew: where registers are few it is not kept over calls. */
+static inline int32_t row_of(const struct pel_spans *spans,
+                             const struct pel_span *span, int32_t y)
+{
+    return PEL_SHORT_STACK && PEL_FEW_REGISTERS
+               ? spans->y + (int32_t)(span - spans->span) * spans->step
+               : y;
+}
+
 /* Little is kept over the calls, to spare stack. */
 static void fill_color(const struct pel_spans *spans, pel_color color)
 {
@@ -100,9 +108,10 @@ static void fill_color(const struct pel_spans *spans, pel_color color)
     int32_t y = spans->y;
     for (; span < spans->span + spans->n; span++, y += spans->step)
         for (int32_t x = span->x0; x < span->x1;) {
-            const int32_t n = load_out(spans->surface, x, y, span->x1 - x);
+            const int32_t n = load_out(spans->surface, x,
+                                       row_of(spans, span, y), span->x1 - x);
             combine_out(proxy_of(spans->surface), n, &color, 0);
-            put_out(spans->surface, x, y, n);
+            put_out(spans->surface, x, row_of(spans, span, y), n);
             x += n;
         }
 }

@@ -2,18 +2,45 @@
 #include "paint_texture_fetch.h"
 
 /* The texel where the coordinate is, or the one that stands for it. */
-static inline int32_t in_picture(uint64_t *at, int32_t size, int wrap)
+static inline int32_t in_picture(uint64_t *at, struct pel_texture_side side)
 {
-    const struct pel_texture_side side = pel_texture_side_of(size, wrap);
     return pel_texture_texel(side, pel_texture_index(at, side.period));
+}
+
+/* Where stack or code is scarce a side is not kept from pixel to pixel. */
+enum { SIDES_ANEW = PEL_SHORT_STACK || PEL_SMALL_CODE };
+
+static PEL_NOINLINE int32_t in_side(uint64_t *at, int32_t size, int wrap)
+{
+    return in_picture(at, pel_texture_side_of(size, wrap));
+}
+
+static PEL_ALWAYS_INLINE int32_t column_of(uint64_t *at,
+                                           const struct pel_texture *p,
+                                           struct pel_texture_side across)
+{
+    return SIDES_ANEW ? in_side(at, p->width, p->wrap_u)
+                      : in_picture(at, across);
+}
+
+static PEL_ALWAYS_INLINE int32_t line_of(uint64_t *at,
+                                         const struct pel_texture *p,
+                                         struct pel_texture_side down)
+{
+    return SIDES_ANEW ? in_side(at, p->height, p->wrap_v)
+                      : in_picture(at, down);
 }
 
 static void outer_run(const struct pel_texture *p, struct pel_texture_axes *a,
                       int32_t n, pel_color *out)
 {
+    const struct pel_texture_side across =
+        pel_texture_side_of(p->width, p->wrap_u);
+    const struct pel_texture_side down =
+        pel_texture_side_of(p->height, p->wrap_v);
     for (; n > 0; n--, pel_texture_axes_step(a, p)) {
-        const int32_t u = in_picture(&a->u, p->width, p->wrap_u);
-        const int32_t v = in_picture(&a->v, p->height, p->wrap_v);
+        const int32_t u = column_of(&a->u, p, across);
+        const int32_t v = line_of(&a->v, p, down);
         *out++ = pel_texel(p, p->kind, u, v);
     }
 }
@@ -173,10 +200,13 @@ static PEL_NOINLINE void copy_outer_run(const struct copy *c,
                                         struct pel_texture_axes *a)
 {
     const struct pel_texture *p = c->paint;
+    const struct pel_texture_side across =
+        pel_texture_side_of(p->width, p->wrap_u);
+    const struct pel_texture_side down =
+        pel_texture_side_of(p->height, p->wrap_v);
     for (pel_word16 *out = c->out; out != c->end; out++) {
-        *out = texel16(p->memory, p->stride,
-                       in_picture(&a->u, p->width, p->wrap_u),
-                       in_picture(&a->v, p->height, p->wrap_v));
+        *out = texel16(p->memory, p->stride, column_of(&a->u, p, across),
+                       line_of(&a->v, p, down));
         pel_texture_axes_step(a, p);
     }
 }

@@ -94,13 +94,20 @@ static inline bool pel_is_smooth(const struct pel_surface *surface)
     return surface->format->id == PEL_SMOOTH_FORMAT;
 }
 
+/* The real surface, whose pixels a blend loads. */
+static inline const struct pel_surface *pel_smooth_target(
+    const struct pel_surface *surface)
+{
+    return pel_is_smooth(surface)
+               ? PEL_CAST_ADDRESS(const struct pel_smooth_surface *, surface)
+                     ->target
+               : surface;
+}
+
 /* The depths that a dither has to show: those of the real surface. */
 static inline const uint8_t *pel_smooth_depth(const struct pel_surface *surface)
 {
-    if (pel_is_smooth(surface))
-        surface = PEL_CAST_ADDRESS(const struct pel_smooth_surface *, surface)
-                      ->target;
-    return surface->format->depth;
+    return pel_smooth_target(surface)->format->depth;
 }
 
 /* Begins a shape. False, and PEL_ASSERT, when the format cannot be blended.
