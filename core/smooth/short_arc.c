@@ -21,11 +21,6 @@ struct arc {
     } of;
 };
 
-static const struct arc *arc_of(const struct pel_smooth_short_outline *outline)
-{
-    return (const void *)outline;
-}
-
 static bool is_up(const struct arc *a, bool last)
 {
     return (last ? a->angles.to : a->angles.from) >> 15;
@@ -130,7 +125,7 @@ static void set_half(const struct arc *a, bool last, struct pel_smooth_curve *c)
 static bool curve(const struct pel_smooth_short_outline *outline, int32_t i,
                   struct pel_smooth_curve *c)
 {
-    const struct arc *const a = arc_of(outline);
+    const struct arc *const a = (const void *)outline;
     c->spread.x = c->spread.y = 0;
     if (i < 2)
         set_circle(a, i, c);
@@ -162,7 +157,7 @@ static bool cut(struct pel_smooth_short_outline *outline, int32_t i, int32_t k)
     for (int32_t last = 0; last < 2; last++)
         if (k == (last ? circle->count - 1 : 0)) {
             const struct pel_smooth_place p =
-                place_near(arc_of(outline), i, last, s);
+                place_near((const void *)outline, i, last, s);
             pel_smooth_cut_at(s, &p, last == ((circle->first + k) & 1));
         }
     return pel_smooth_is_left(s);
@@ -186,7 +181,7 @@ static PEL_NOINLINE void set_end(struct pel_smooth_far_place *end,
 static bool find_line(const struct pel_smooth_short_outline *outline, int32_t i,
                       struct pel_smooth_crossing *c)
 {
-    const struct arc *const a = arc_of(outline);
+    const struct arc *const a = (const void *)outline;
     const bool last = i == 0;
     const int64_t *const step = &a->of.step[last];
     const int32_t y = outline->seen.y, lower = !is_up(a, last);
@@ -215,7 +210,7 @@ static bool find_line(const struct pel_smooth_short_outline *outline, int32_t i,
 static bool find_joint(const struct pel_smooth_short_outline *outline,
                        int32_t i, struct pel_smooth_crossing *c)
 {
-    const struct arc *const a = arc_of(outline);
+    const struct arc *const a = (const void *)outline;
     const bool last = i & 1, inner = i >> 1;
     if (!is_half_near(a, last))
         return false;
@@ -245,8 +240,10 @@ static uint32_t inverse_of(int32_t radius)
     return circle.of.inverse;
 }
 
-static PEL_NOINLINE void set_rays(struct arc *a, bool is_round)
+static PEL_NOINLINE void set_rays(struct arc *a,
+                                  const struct pel_smooth_kind *kind)
 {
+    const bool is_round = kind->curves > 2;
     const struct pel_point zero = {0, 0};
     struct pel_rise rise;
     for (int32_t last = 0; last < 2; last++) {
@@ -265,9 +262,10 @@ static PEL_NOINLINE void set_rays(struct arc *a, bool is_round)
 
 /* A box of pixels around the ends of the rays and the axes between them, which
  * may be a little larger than the arc. */
-static PEL_NOINLINE bool begin_box(struct arc *a, bool is_round)
+static PEL_NOINLINE bool begin_box(struct arc *a,
+                                   const struct pel_smooth_kind *kind)
 {
-    const int32_t more = FAR + (is_round ? radius_of(a, 2) : 0);
+    const int32_t more = FAR + (kind->curves > 2 ? radius_of(a, 2) : 0);
     struct pel_rect box = {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
     struct pel_smooth_curve c;
     set_circle(a, 0, &c);
@@ -315,8 +313,8 @@ static PEL_ALWAYS_INLINE void paint_arc(struct arc *a,
 {
     if (!kind)
         return;
-    set_rays(a, kind->curves > 2);
-    if (begin_box(a, kind->curves > 2))
+    set_rays(a, kind);
+    if (begin_box(a, kind))
         pel_smooth_short_outline_paint(&a->outline, kind);
 }
 
