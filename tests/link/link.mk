@@ -112,7 +112,7 @@ LINK_ELFS += $(foreach b,$(LINK_ONE_BUILDS),\
     $(LINK_ONE_$b:%=$(BUILD)/link/$b/one/%.elf))
 
 # Bytes of stack that any shape with any paint may take, with small code or
-# without; smooth ones have a table.
+# without.
 LINK_STACK := 384
 
 # What one would build (docs/PRODUCTS.md). Those of both CPUs run on a board with
@@ -191,4 +191,3 @@ size: $(MCU_CORE_OBJECTS) $(LINK_ELFS) guide \
 	tests/link/panels.sh $(BUILD)/link/panel_times $(ACCEPT)
 	$(foreach b,$(LINK_WHOLE_BUILDS),tests/link/pairs.sh $b \
 	    $(BUILD)/link/$b/pairs.elf $(LINK_STACK) >$(BUILD)/stack_$b.tsv &&) :
-	tests/link/pairs_smooth.sh $(LINK_WHOLE_BUILDS:%=$(BUILD)/stack_%.tsv) $(ACCEPT)

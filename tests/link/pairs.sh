@@ -1,8 +1,7 @@
 #!/bin/sh
 # pairs.sh CPU-LEVEL ELF BUDGET : the stack of every shape with every paint as pairs.c
 # measures it on its board, as TSV, a row for each shape: what pel_SHAPE and all
-# below it use. Fails when a pair is above the budget, but for smooth shapes, which
-# pairs_smooth.sh holds.
+# below it use. Fails when a pair is above the budget.
 set -eu
 here=$(dirname "$0")
 . "$here/board.sh"
@@ -22,7 +21,7 @@ here=$(dirname "$0")
         if (!($2 in named))
             names = names OFS $2
         named[$2]
-        if (used > budget && $1 !~ /^smooth_/) {
+        if (used > budget) {
             print "size: " cpu ": " $1 " with " $2 " uses " used \
                   " bytes of stack, budget " budget > "/dev/stderr"
             failed = 1
