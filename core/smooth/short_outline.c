@@ -3,13 +3,13 @@
 #if PEL_SMOOTH_TINY
 #include "outline_row.h"
 
-/* Where the only curve is at the next row. */
+/* Where the circles are at the next row. */
 static void move_down(struct pel_smooth_short_outline *t)
 {
-    if (PEL_SMALL_CODE)
-        return;
-    t->at[0] = t->at[1];
-    t->at[1] = -1;
+    for (int32_t i = 0; !PEL_SMALL_CODE && i < 2; i++) {
+        t->at[i][0] = t->at[i][1];
+        t->at[i][1] = -1;
+    }
 }
 
 bool pel_smooth_short_outline_begin(struct pel_smooth_short_outline *t,
@@ -22,26 +22,32 @@ bool pel_smooth_short_outline_begin(struct pel_smooth_short_outline *t,
     t->seen.last_y = (int16_t)(r.y1 - 1);
     t->part.full = (struct pel_span){r.x0, r.x0};
     t->part.some = t->part.full;
-    t->at[1] = -1;
+    t->at[0][1] = t->at[1][1] = -1;
     move_down(t);
     return !pel_rect_empty(&r) &&
            pel_smooth_begin(&t->smooth, t->smooth.target, t->smooth.paint);
 }
 
+static int32_t *at_of(struct pel_smooth_short_outline *t, int32_t i)
+{
+    return i < 2 ? t->at[i] : t->of.window.at;
+}
+
 /* Sets the ith curve, and where it is: how many quarters it has, if some may be
- * in the row. An only curve is where it was at the end of the row above. */
+ * in the row. The first two are where they were at the end of the row above. */
 static PEL_NOINLINE int32_t set_curve(struct pel_smooth_short_outline *t,
                                       const struct pel_smooth_kind *kind,
                                       int32_t i)
 {
     const struct pel_smooth_curve *const c = &t->of.window.curve;
-    const bool keeps = !PEL_SMALL_CODE && kind->curves == 1;
+    const bool keeps = !PEL_SMALL_CODE && i < 2;
+    int32_t *const at = at_of(t, i);
     const int32_t y = t->seen.y;
     if (!kind->curve(t, i, &t->of.window.curve) || !pel_smooth_curve_in(c, y))
         return 0;
     for (int32_t k = 0; k < 2; k++)
-        if (!keeps || t->at[k] < 0)
-            t->at[k] = pel_smooth_curve_at(c, y + k);
+        if (!keeps || at[k] < 0)
+            at[k] = pel_smooth_curve_at(c, y + k);
     return c->circle.count;
 }
 
@@ -53,7 +59,7 @@ static PEL_NOINLINE bool find_quarter(struct pel_smooth_short_outline *t,
     struct pel_smooth_window *const w = &t->of.window;
     if (!pel_smooth_find_quarter(&w->curve, t->seen.y, k, &w->crossing))
         return false;
-    pel_smooth_place_quarter(&w->crossing, t->at);
+    pel_smooth_place_quarter(&w->crossing, at_of(t, i));
     return !kind->cut || kind->cut(t, i, k);
 }
 
