@@ -5,8 +5,8 @@
 /* At a time; fewer where stack is short. */
 enum {
     COLORS = PEL_SMALL_CODE      ? 1
-             : PEL_FEW_REGISTERS ? PEL_AT_A_TIME(16, 3)
-                                 : PEL_AT_A_TIME(16, 4)
+             : PEL_FEW_REGISTERS ? PEL_AT_A_TIME(16, 4)
+                                 : PEL_AT_A_TIME(16, 5)
 };
 
 /* The source draws into this surface, whose format combines what it is given

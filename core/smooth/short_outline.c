@@ -3,10 +3,13 @@
 #if PEL_SMOOTH_TINY
 #include "outline_row.h"
 
-/* Where the circles are at the next row. */
+/* Curves whose places are kept from row to row: the first two. */
+enum { KEPT = PEL_SMALL_CODE ? 0 : 2 };
+
+/* Where they are at the next row. */
 static void move_down(struct pel_smooth_short_outline *t)
 {
-    for (int32_t i = 0; !PEL_SMALL_CODE && i < 2; i++) {
+    for (int32_t i = 0; i < KEPT; i++) {
         t->at[i][0] = t->at[i][1];
         t->at[i][1] = -1;
     }
@@ -22,31 +25,26 @@ bool pel_smooth_short_outline_begin(struct pel_smooth_short_outline *t,
     t->seen.last_y = (int16_t)(r.y1 - 1);
     t->part.full = (struct pel_span){r.x0, r.x0};
     t->part.some = t->part.full;
-    t->at[0][1] = t->at[1][1] = -1;
+    for (int32_t i = 0; i < KEPT; i++)
+        t->at[i][1] = -1;
     move_down(t);
     return !pel_rect_empty(&r) &&
            pel_smooth_begin(&t->smooth, t->smooth.target, t->smooth.paint);
 }
 
-static int32_t *at_of(struct pel_smooth_short_outline *t, int32_t i)
-{
-    return i < 2 ? t->at[i] : t->of.window.at;
-}
-
-/* Sets the ith curve, and where it is: how many quarters it has, if some may be
- * in the row. The first two are where they were at the end of the row above. */
+/* Sets the ith curve, and where it is if that is kept: how many quarters it
+ * has, if some may be in the row. */
 static PEL_NOINLINE int32_t set_curve(struct pel_smooth_short_outline *t,
                                       const struct pel_smooth_kind *kind,
                                       int32_t i)
 {
     const struct pel_smooth_curve *const c = &t->of.window.curve;
-    const bool keeps = !PEL_SMALL_CODE && i < 2;
-    int32_t *const at = at_of(t, i);
+    int32_t *const at = t->at[i < KEPT ? i : 0];
     const int32_t y = t->seen.y;
     if (!kind->curve(t, i, &t->of.window.curve) || !pel_smooth_curve_in(c, y))
         return 0;
     for (int32_t k = 0; k < 2; k++)
-        if (!keeps || at[k] < 0)
+        if (PEL_SMALL_CODE || (i < KEPT && at[k] < 0))
             at[k] = pel_smooth_curve_at(c, y + k);
     return c->circle.count;
 }
@@ -57,9 +55,16 @@ static PEL_NOINLINE bool find_quarter(struct pel_smooth_short_outline *t,
                                       int32_t i, int32_t k)
 {
     struct pel_smooth_window *const w = &t->of.window;
-    if (!pel_smooth_find_quarter(&w->curve, t->seen.y, k, &w->crossing))
+    const int32_t y = t->seen.y;
+    if (!pel_smooth_find_quarter(&w->curve, y, k, &w->crossing))
         return false;
-    pel_smooth_place_quarter(&w->crossing, at_of(t, i));
+    if (PEL_SMALL_CODE || i < KEPT) {
+        pel_smooth_place_quarter(&w->crossing, t->at[i < KEPT ? i : 0]);
+    } else {
+        const int32_t at[2] = {pel_smooth_curve_at(&w->curve, y),
+                               pel_smooth_curve_at(&w->curve, y + 1)};
+        pel_smooth_place_quarter(&w->crossing, at);
+    }
     return !kind->cut || kind->cut(t, i, k);
 }
 

@@ -22,7 +22,6 @@ struct pel_smooth_part {
 struct pel_smooth_window {
     struct pel_smooth_crossing crossing;
     struct pel_smooth_curve curve;
-    int32_t at[2]; /* where it is, if it is none of the first two */
     /* 2^-15 px: what each has more than the one before it, and what those have
      * that follow up to the next one that a side crosses */
     int32_t sum[PEL_SMALL_CODE ? 1 : PEL_SMOOTH_COLUMNS + 1];
@@ -33,8 +32,10 @@ struct pel_smooth_short_outline {
     struct pel_smooth smooth;
     struct {
         int16_t x, y, last_x, last_y;
-    } seen;           /* px that are left: the first of them and the last */
-    int32_t at[2][2]; /* where its circles are at both ends of the row */
+    } seen; /* px that are left: the first of them and the last */
+    /* where its circles are at both ends of the row, or for the least code the
+     * curve at hand */
+    int32_t at[PEL_SMALL_CODE ? 1 : 2][2];
     struct pel_smooth_part part;
     union {
         struct pel_smooth_window window;   /* finds a part of a row, and then */
