@@ -41,8 +41,8 @@ static inline struct pel_point pel_smooth_arc_half_center(
                               center->y + ((m.y + 128) >> 8)};
 }
 
-static inline void pel_smooth_arc_widen(struct pel_rect *box, int32_t x,
-                                        int32_t y)
+static PEL_HOT void pel_smooth_arc_widen(struct pel_rect *box, int32_t x,
+                                         int32_t y)
 {
     box->x0 = pel_min(box->x0, x);
     box->y0 = pel_min(box->y0, y);
