@@ -43,7 +43,7 @@ int pel_bits_of(uint64_t v)
 /* By halves of 16 bits: no sum of a product and the upper half of another, or
  * the lower half of a sum, leaves a carry. Compilers do it in two registers
  * more than Thumb-1 has without the stack. */
-#if PEL_FEW_REGISTERS && defined(__GNUC__)
+#if PEL_FEW_REGISTERS && defined(__GNUC__) && __ARM_ARCH >= 6
 uint64_t pel_multiply(uint32_t a, uint32_t b)
 {
     register uint32_t x __asm__("r0") = a;

@@ -11,13 +11,15 @@ struct pel_smooth_far_place {
 
 /* Sets what lies between two places at the top and the bottom of a part of a
  * row, all but its heights, its slope and whether it is rising: the first place
- * on the left, and the way from the upper to the lower one. */
+ * on the left, and the way from the upper to the lower one. Half of the longest
+ * line ends up to a sub-pixel early, as it would be beyond the range. */
 static inline void pel_smooth_line_cross(struct pel_smooth_crossing *c,
                                          int64_t first, int32_t way)
 {
     c->center = (int32_t)(first >> 8);
     c->strip.at_far = first & 255;
-    c->strip.at_near = pel_magnitude(way) + c->strip.at_far;
+    c->strip.at_near =
+        pel_min(pel_magnitude(way), INT32_MAX - 255) + c->strip.at_far;
     c->left = false;
 }
 

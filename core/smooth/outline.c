@@ -134,9 +134,13 @@ static void note_curve(const struct pel_smooth_outline *o, int32_t i, int32_t y,
     }
 }
 
+/* Halves of wide lines begin and end anywhere: they are found in each row. */
 int32_t pel_smooth_find_end(const struct pel_smooth_outline *o, int32_t y)
 {
     int32_t end = INT32_MAX;
+    if (o->sides && o->sides->cut &&
+        ((const struct pel_smooth_lines *)(const void *)o)->wide)
+        return y * 256;
     for (int32_t i = 0; i < o->curves; i++)
         note_curve(o, i, y, &end);
     return end;

@@ -52,7 +52,8 @@ static inline void add_columns(struct window *w)
         pel_smooth_boundary(c, c->left ? -w->columns.x1 : w->columns.x0);
     *sum += w->height;
     sum -= c->left ? 1 : n;
-    for (; n > 0; n--, u += 65536, sum += c->left ? -1 : 1) {
+    for (; n > 0;
+         n--, u = (int32_t)((uint32_t)u + 65536), sum += c->left ? -1 : 1) {
         int32_t area = (int32_t)pel_smooth_column_area(&c->strip, u, &piece);
         if (!c->rising)
             area = -area;

@@ -172,7 +172,8 @@ static PEL_NOINLINE void add_side(struct pel_smooth_short_outline *t)
     int32_t u = pel_smooth_boundary(c, c->left ? -columns.x1 : columns.x0);
     *sum += height;
     sum -= c->left ? 1 : n;
-    for (; n > 0; n--, u += 65536, sum += c->left ? -1 : 1) {
+    for (; n > 0;
+         n--, u = (int32_t)((uint32_t)u + 65536), sum += c->left ? -1 : 1) {
         int32_t area = (int32_t)pel_smooth_column_area(&c->strip, u, &piece);
         if (!c->rising)
             area = -area;

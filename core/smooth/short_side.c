@@ -57,13 +57,14 @@ static PEL_NOINLINE int32_t find_edge(struct pel_smooth_short_walk *k, int i,
     return edge[0].y < edge[1].y ? edge[1].y : ENDED;
 }
 
-/* Begins with it. */
+/* Begins with it; a side that has ended stays where it is. */
 static PEL_NOINLINE int32_t enter_edge(struct pel_smooth_short_walk *k, int i,
                                        struct pel_smooth_short_side *s)
 {
     struct pel_point *const edge = k->work.row.edge;
     const int32_t end = find_edge(k, i, s);
     s->at = pel_smooth_wide(edge->x);
+    s->step = 0;
     if (end != ENDED) {
         s->step = pel_smooth_slope(edge, edge + 1, &k->work.row.piece.rise);
         s->rise = k->work.row.piece.rise.value;

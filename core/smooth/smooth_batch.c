@@ -266,10 +266,10 @@ static void paint_row(const struct pel_smooth *smooth,
 {
     const struct pel_flat *const flat = pel_smooth_flat(smooth);
     const int32_t full = row->x + row->left;
-    const struct pel_span span = {full, full + row->full};
+    const int32_t x[2] = {full, full + row->full};
+    const struct pel_span span = {x[0], x[1]};
     const uint8_t count[2] = {(uint8_t)row->left, (uint8_t)row->right};
-    const struct pel_smooth_runs runs = {row->y,   1,     1,
-                                         &span.x0, count, row->coverage};
+    const struct pel_smooth_runs runs = {row->y, 1, 1, x, count, row->coverage};
     if (!flat && paint_narrow(smooth, &runs))
         return;
     pel_smooth_paint_full(smooth, row->y, 1, &span);

@@ -155,6 +155,12 @@ static inline int32_t height_at(const struct pel_smooth_strip *s, int32_t u)
     return pel_max(s->near, pel_min(v, s->far));
 }
 
+/* The column's outer boundary, or where the arc ends in it. */
+static inline int32_t next_boundary(const struct pel_smooth_strip *s, int32_t u)
+{
+    return (uint32_t)s->at_near - (uint32_t)u <= 65536 ? s->at_near : u + 65536;
+}
+
 void pel_smooth_go_on(const struct pel_smooth_strip *s, int32_t u,
                       struct pel_smooth_arc_piece *p)
 {
@@ -162,7 +168,7 @@ void pel_smooth_go_on(const struct pel_smooth_strip *s, int32_t u,
         p->v1 = height_at(s, u);
     p->u0 = pel_max(u, s->at_far);
     p->v0 = u > s->at_far ? p->v1 : s->far;
-    p->u1 = pel_min(u + 65536, s->at_near);
+    p->u1 = next_boundary(s, u);
     p->v1 = p->u1 == s->at_near ? s->near : height_at(s, p->u1);
 }
 
@@ -194,16 +200,15 @@ static PEL_NOINLINE void cover_any(const struct pel_smooth_side *k, int32_t u,
                                    uint8_t *to)
 {
     const struct pel_smooth_strip *const s = k->strip;
-    const int32_t step = k->left ? -1 : 1, last = s->at_near;
+    const int32_t step = k->left ? -1 : 1;
     uint32_t whole = (uint32_t)(s->at_far - u) >> 1;
     int32_t u0 = s->at_far, v0 = s->far;
     for (int32_t n = k->bytes; n > 0; n--, to += step) {
-        u += 65536;
-        const int32_t u1 = pel_min(u, last);
-        const int32_t v1 = u >= last ? s->near : height_at(s, u);
+        const int32_t u1 = next_boundary(s, u);
+        const int32_t v1 = u1 == s->at_near ? s->near : height_at(s, u1);
         const struct pel_smooth_arc_piece p = {u0, v0, u1, v1};
         put_area(whole + chord_area(s, &p) + bulge_of(s, &p), k->flip, to);
-        u0 = u1;
+        u = u0 = u1;
         v0 = v1;
         whole = 0;
     }

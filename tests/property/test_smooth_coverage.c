@@ -373,9 +373,21 @@ TEST(outlines_that_are_not_convex)
                                          {8480, -623},    {23910, -3031589},
                                          {7198, 26725},   {-54081, 11283}};
     const struct pel_rect bounds = {13264, 24136, 13274, 24150};
-    struct pel_surface screen;
-    assert_int_equal(
-        pel_surface_init(&screen, &pel_gray8, pixels, sizeof pixels, &bounds),
-        PEL_OK);
-    pel_smooth_convex(&screen, v, 6, &white.paint);
+    open_window(&bounds);
+    pel_smooth_convex(&window, v, 6, &white.paint);
+    for (struct cases c = cases_of(20000); cases_next(&c);) {
+        struct pel_point w[7];
+        const int32_t n = random_between(&c.random, 3, 7);
+        shape_random(&c.random, w, n);
+        const struct pel_rect seen = shape_window(&c.random, w, n, SIZE);
+        const struct pel_rect box = pel_points_box(w, n);
+        open_window(&seen);
+        pel_smooth_convex(&window, w, n, &white.paint);
+        for (int32_t y = seen.y0; y < seen.y1; y++)
+            for (int32_t x = seen.x0; x < seen.x1; x++)
+                if (pel_surface_line(&window, y)[x - seen.x0] &&
+                    (x < pel_pixel_of(box.x0) || x > pel_pixel_of(box.x1) ||
+                     y < pel_pixel_of(box.y0) || y > pel_pixel_of(box.y1)))
+                    fail_msg("(%d, %d): %s", x, y, cases_replay());
+    }
 }

@@ -223,6 +223,80 @@ TEST(rows)
     }
 }
 
+/* And of round lines that are wider than a strip, up to the widest. */
+TEST(rows_of_wide_lines)
+{
+    static const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
+    static const struct pel_rect bounds = {-4, -12, 4, 12};
+    static uint8_t whole[24 * 8], part[24 * 8];
+    struct pel_surface surface;
+    for (struct cases c = cases_of(2000); cases_next(&c);) {
+        struct random *const r = &c.random;
+        const int32_t most = random_word(r) % 8 ? 9999 : 1;
+        const struct pel_thick_line_shape line = {
+            {random_between(r, 0, most) - PEL_PX(32768),
+             random_between(r, -2999, 2999)},
+            {PEL_PX(32768) - 1 - random_between(r, 0, most),
+             random_between(r, -2999, 2999)},
+            random_between(r, 2, 2047)};
+        memset(whole, 0, sizeof whole);
+        memset(part, 0, sizeof part);
+        pel_surface_init(&surface, &pel_gray8, whole, sizeof whole, &bounds);
+        pel_smooth_thick_line_round(&surface, &line, &white.paint);
+        surface.pixels = part;
+        for (int32_t y = -12; y < 12; y++) {
+            surface.clip = (struct pel_rect){-4, y, 4, y + 1};
+            pel_smooth_thick_line_round(&surface, &line, &white.paint);
+        }
+        if (memcmp(whole, part, sizeof whole) != 0)
+            fail_msg("from %d %d to %d %d, %d wide; %s", line.from.x,
+                     line.from.y, line.to.x, line.to.y, line.width,
+                     cases_replay());
+    }
+}
+
+/* The longest line is what one that is a sub-pixel shorter is in its middle. */
+TEST(longest_line)
+{
+    static const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
+    static const struct pel_rect bounds = {-10, -2, 10, 8};
+    static uint8_t pixels[2][10 * 20];
+    for (int32_t i = 0; i < 2; i++) {
+        const struct pel_thick_line_shape line = {
+            {-PEL_PX(32768), 0}, {PEL_PX(32768) - 1 - i, 255}, 8};
+        struct pel_surface surface;
+        memset(pixels[i], 0, sizeof pixels[i]);
+        pel_surface_init(&surface, &pel_gray8, pixels[i], sizeof pixels[i],
+                         &bounds);
+        pel_smooth_thick_line_round(&surface, &line, &white.paint);
+    }
+    assert_memory_equal(pixels[0], pixels[1], sizeof pixels[0]);
+}
+
+/* The outermost columns of the largest circles, whose far sides lie beyond the
+ * range of distances: no undefined behaviour. */
+TEST(largest_radius)
+{
+    static const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
+    static const struct pel_rect bounds = {0, 0, 20, 2};
+    static uint8_t circle[2 * 20], other[2 * 20];
+    const int32_t radius = PEL_PX(32767);
+    const struct pel_point center = {PEL_PX(10) - radius, 1};
+    const struct pel_arc_shape arc = {center, 0, radius, 49152, 81920};
+    const struct pel_ellipse_shape ellipse = {center, {radius, radius}};
+    struct pel_surface surface;
+    pel_surface_init(&surface, &pel_gray8, circle, sizeof circle, &bounds);
+    pel_smooth_circle(&surface, center, radius, &white.paint);
+    surface.pixels = other;
+    pel_smooth_arc(&surface, &arc, &white.paint);
+    assert_memory_equal(circle, other, sizeof circle);
+    memset(other, 0, sizeof other);
+    pel_smooth_ellipse(&surface, &ellipse, &white.paint);
+    assert_memory_equal(circle, other, sizeof circle);
+    assert_int_equal(circle[9], 255);
+    assert_int_equal(circle[10], 0);
+}
+
 #if !PEL_SMOOTH_TINY
 static int calls;
 
