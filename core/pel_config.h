@@ -73,19 +73,21 @@
  * triangle saves 0.2 KB of 1.1, a program with a gradient 1 to 2.5 KB, all of
  * core 7 of 34. A pixel of a gradient takes 5 to 17 times as long, of a
  * texture, a dither or text up to 3 times, of flat colors as long as before
- * (docs/MATRIX.md has both); a smooth edge up to 10 times. Nothing but the
+ * (docs/MATRIX.md has both); a smooth edge up to 25 times. Nothing but the
  * program sets this. The stack is as short as with the next knob. */
 #ifndef PEL_SMALL_CODE
 #define PEL_SMALL_CODE 0
 #endif
 
-/* 1: every paint fits every shape in 384 bytes of stack, smooth shapes too. The
- * default with -Os on CPUs of 32 bits; not on an ESP32, whose tasks have
- * kilobytes. Text, fans, nine slices, patterns, textures, blends and Phong take
- * up to 1.6 times as long as with 0, gradients in other shapes than rectangles,
- * and horizontal ones, up to 2.5 times, smooth edges 2 to 6 times. With 0 -Os
- * takes 1.1 times as long as -O2, 1.5 times at most; a smooth shape has up to
- * 2.6 KB of stack then, and 4 to 8 KB more code. */
+/* 1: with -Os every paint fits every shape in 384 bytes of stack, smooth shapes
+ * too, as measured on a Cortex-M0+ and M4; a paint around another, as a dither
+ * of a gradient, takes what that takes as well. The default with -Os on CPUs of
+ * 32 bits; not on an ESP32, whose tasks have kilobytes; 0 where PEL_SMALL_CODE
+ * is 1, whose stack is as short. Text, fans, nine slices, patterns, textures,
+ * blends and Phong take up to 1.6 times as long as with 0, gradients in other
+ * shapes than rectangles, and horizontal ones, up to 2.5 times, smooth edges 2
+ * to 6 times. With 0 -Os takes 1.1 times as long as -O2, 1.5 times at most; a
+ * smooth shape has up to 2.6 KB of stack then, and 4 to 8 KB more code. */
 #if PEL_SMALL_CODE
 #undef PEL_SHORT_STACK
 #define PEL_SHORT_STACK 0

@@ -8,7 +8,7 @@
 #include "inline.h"
 
 /* Where stack is short it may lie in a struct that is aligned to 4. */
-#if PEL_SHORT_STACK || PEL_SMALL_CODE
+#if (PEL_SHORT_STACK || PEL_SMALL_CODE) && defined(__GNUC__)
 typedef int64_t pel_dividend __attribute__((__aligned__(4)));
 #else
 typedef int64_t pel_dividend;

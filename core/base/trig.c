@@ -16,7 +16,8 @@ static PEL_ALWAYS_INLINE uint32_t polynomial(uint32_t z, const uint32_t c[4])
     uint32_t v = c[3];
     for (int i = 2; i >= 0; i--) {
         const uint64_t product = pel_multiply(z, v);
-        v = c[i] - (uint32_t)(product >> 26); /* read behind the call */
+        /* on a line of its own: c[i] needs no register during the product */
+        v = c[i] - (uint32_t)(product >> 26);
     }
     return v;
 }

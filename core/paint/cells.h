@@ -14,9 +14,9 @@
 #include "../format/word.h"
 #include "gradient.h"
 
-/* Rows of a batch: one where code is to be small, and at most 32: then errors
- * of 32 bits do for all rows but the first. Where stack is short,
- * five bits. */
+/* Rows of a batch: one where code is to be small, and at most 32, for which
+ * errors of 32 bits do in all rows but the first; 31 where stack is short,
+ * which five bits hold. */
 enum { PEL_CELL_ROWS_MOST = PEL_AT_A_TIME(32, 31) };
 enum {
     PEL_CELL_ROWS = PEL_SMALL_CODE                        ? 1
@@ -258,9 +258,9 @@ static PEL_ALWAYS_INLINE int32_t pel_cells_pass_here(struct pel_cells *c,
 bool pel_cells_end(struct pel_cells *c, int32_t step, int32_t row,
                    int32_t bend);
 
-/* Ends all runs at hi: no pixel is left. An error below 0 never grows; where
- * stack is short a step that no error reaches is the sign for it, as `at` may
- * be a run that is not over. */
+/* Ends all runs at hi: no pixel is left. For that the error is below 0 and
+ * never grows; where stack is short a step of PEL_CELL_ALL says so instead, as
+ * `at` may be a run that goes on. */
 enum { PEL_CELL_ALL = 0x7FFFFFFF };
 
 static inline bool pel_cells_end_all(struct pel_cells *c)

@@ -152,6 +152,7 @@ void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
     c->at.x1 = 0; /* no rows: the first batch is the next one */
     c->span = spans->span;
     c->left = (uint8_t)spans->n;
+    /* at most PEL_CELL_ROWS: the mask tells compilers that no bit is lost */
     c->most = (unsigned)most & (PEL_CELL_ROWS_MOST | 31);
     c->mixed = ramp->n == 2 && depth[1] &&
                pel_alpha(ramp->colors[0] & ramp->colors[1]) == 255;

@@ -33,7 +33,7 @@ static inline int32_t row_of(const struct pel_spans *spans,
 }
 
 /* Through a short buffer, in parts that begin at multiples of its length, but
- * where code is short. Little is kept over the calls, to spare stack. */
+ * where stack is short. Little is kept over the calls, to spare stack. */
 static PEL_STEP_OR_INLINE void fill_rows(const struct pel_color_paint *p,
                                          const struct pel_spans *spans)
 {

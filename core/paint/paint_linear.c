@@ -107,7 +107,7 @@ struct row_walk {
     int32_t index_step; /* by less than the period */
 };
 
-/* `outside` is of use before it is set. */
+/* at.outside holds a number of its own here: set_outside sets it later. */
 static inline void set_step(struct row_walk *w)
 {
     const struct pel_linear *p = w->paint;

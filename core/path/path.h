@@ -119,7 +119,8 @@ enum pel_status pel_polyline(const struct pel_surface *surface,
 
 /* Hit tests as in hit/hit.h: true for the pixels that these cover. They walk
  * the path, and what a drawing keeps in scratch memory is on the stack: on a
- * Cortex-M0+ a fill's takes 0.4 KB of it, a stroke's 0.8, of dashes too. */
+ * Cortex-M0+ a fill's takes 0.4 KB of it, a stroke's 0.8, with dashes or
+ * without. */
 bool pel_hit_path_fill(const struct pel_path_shape *shape, int32_t x,
                        int32_t y);
 bool pel_hit_path_stroke(const struct pel_path_shape *shape, int32_t x,

@@ -45,7 +45,7 @@ static PEL_NOINLINE struct pel_smooth_place place_on(const struct arc *a,
                                                      int32_t radius)
 {
     struct pel_point d = direction_of(a, ray & LAST);
-    if (radius == 0)
+    if (radius == 0) /* a sector's centre, without the products */
         return (struct pel_smooth_place){0, 0};
     if (ray & OPPOSITE)
         d = (struct pel_point){-d.x, -d.y};

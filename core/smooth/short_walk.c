@@ -33,9 +33,8 @@ static PEL_NOINLINE void find_columns(struct pel_smooth_short_walk *k, int i)
     const int32_t x = (int32_t)(s->at >> 32);
     int32_t below = x;
     k->height = 0;
-    if (k->rows > 0) {
+    if (k->rows > 0)
         below = (int32_t)((s->at + s->step) >> 32);
-    }
     crossed->x0 = pel_min(x, below);
     crossed->x1 = pel_max(x, below) + 1;
 }

@@ -40,9 +40,9 @@ struct pel_smooth_row {
     const uint8_t *coverage;   /* of the left ones, then the right ones */
 };
 
-/* Where flash and stack are scarce there is one way for all rows, which is
- * slower: functions have returned (PEL_SMOOTH_APART) when something is painted.
- */
+/* Where flash or stack is scarce there is one way for all rows, which is
+ * slower; what finds them has returned (PEL_SMOOTH_APART) when something is
+ * painted. */
 #if PEL_SMALL_CODE || PEL_SHORT_STACK
 #define PEL_SMOOTH_TINY 1
 #define PEL_SMOOTH_APART PEL_NOINLINE

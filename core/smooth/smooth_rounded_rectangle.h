@@ -10,8 +10,9 @@ PEL_BEGIN_DECLS
 /* Paints the rectangle from `from` to `to` with a quarter of a disc in each
  * corner, each pixel by its area (smooth.h), as pel_smooth_circle does, and as
  * exactly. Its radius is the given one, or half of the shorter side (rounded
- * down to a sub-pixel) if that is less; 0 gives the rectangle itself, the
- * radius of a square's half the disc in it. Nothing when to.x <= from.x or to.y
+ * down to a sub-pixel) if that is less; 0 gives the rectangle, within 1 of
+ * pel_smooth_rectangle, the radius of a square's half the disc in it. Nothing
+ * when to.x <= from.x or to.y
  * <= from.y. */
 void pel_smooth_rounded_rectangle(const struct pel_surface *surface,
                                   const struct pel_rounded_shape *rectangle,

@@ -214,7 +214,8 @@ static PEL_NOINLINE void cover_any(const struct pel_smooth_side *k, int32_t u,
     }
 }
 
-/* The same in the strip of a row. */
+/* The height of the arc at a column's boundary, from the near end of its strip,
+ * which is a row high; of a circle of 40 px or more. */
 static PEL_ALWAYS_INLINE int32_t arc_height(const struct pel_smooth_strip *s,
                                             int32_t u, int32_t *shift)
 {
@@ -224,7 +225,7 @@ static PEL_ALWAYS_INLINE int32_t arc_height(const struct pel_smooth_strip *s,
     return pel_max(0, pel_min(v, 65536));
 }
 
-/* Both columns that such an arc crosses which goes down more than along. */
+/* Both columns of such an arc that goes down more than along. */
 static PEL_NOINLINE void cover_steep(const struct pel_smooth_side *k, int32_t u,
                                      uint8_t *to)
 {
