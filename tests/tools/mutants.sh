@@ -1,12 +1,13 @@
 #!/bin/sh
 # mutants.sh TESTS CC [FILE...] : changes core in one place at a time and runs
 # the tests of the changed file, in the default build and, where they notice
-# nothing, in the portable one. TESTS is the folder of the builds mutant_host
-# and mutant_portable; FILEs those of mutants_tests.txt to change, all unless
-# told. PEL_JOBS says how many mutants are tried at once.
+# nothing, in the portable one, and then in the one for a short stack. TESTS is
+# the folder of these builds, mutant_host to mutant_stack; FILEs those of
+# mutants_tests.txt to change, all unless told. PEL_JOBS says how many mutants
+# are tried at once.
 #
 # A mutant is killed when a test fails, crashes or takes much longer. It is not
-# counted when it does not compile, or when both builds have the same code with
+# counted when it does not compile, or when all builds have the same code with
 # and without it. All others survive: each is printed, and must be in
 # mutants_equivalent.txt with the reason why no test can notice it.
 #
@@ -18,7 +19,7 @@ here=tests/tools
 tests=$1 cc=$2
 shift 2
 work=$tests/mutants
-builds='mutant_host mutant_portable'
+builds='mutant_host mutant_portable mutant_stack'
 mkdir -p "$work"
 rm -rf "$work"/tree.*
 

@@ -64,7 +64,7 @@ notices()
 }
 
 same=yes
-for build in mutant_host mutant_portable; do
+for build in mutant_host mutant_portable mutant_stack; do
     base=$tests/$build
     flags=$(cat "$base/flags")
     for test in $(sed -n "s|^$file ||p" "$work/tests.txt"); do
