@@ -78,7 +78,7 @@ static int32_t height_of(const struct arc *a, bool last, int32_t radius)
 }
 
 /* May the row have something between two heights? */
-static bool is_near(const struct arc *a, int32_t from, int32_t to)
+static PEL_NOINLINE bool is_near(const struct arc *a, int32_t from, int32_t to)
 {
     const int32_t down = a->outline.seen.y * 256 - a->center->y;
     return down < pel_max(from, to) + FAR &&
@@ -233,13 +233,6 @@ static const struct pel_smooth_kind butt = {2, 2, curve, cut, find_line};
 static const struct pel_smooth_kind pie = {1, 2, curve, cut, find_line};
 static const struct pel_smooth_kind rounded = {4, 4, curve, cut, find_joint};
 
-static uint32_t inverse_of(int32_t radius)
-{
-    struct pel_smooth_circle circle;
-    pel_smooth_circle_set(&circle, radius);
-    return circle.of.inverse;
-}
-
 static PEL_NOINLINE void set_rays(struct arc *a,
                                   const struct pel_smooth_kind *kind)
 {
@@ -257,7 +250,7 @@ static PEL_NOINLINE void set_rays(struct arc *a,
             a->of.step[last] = pel_smooth_slope(&zero, &down, &rise);
     }
     if (is_round)
-        a->of.inverse = inverse_of(radius_of(a, 2));
+        a->of.inverse = pel_smooth_circle_inverse(radius_of(a, 2));
 }
 
 /* A box of pixels around the ends of the rays and the axes between them, which
@@ -291,7 +284,7 @@ static PEL_NOINLINE const struct pel_smooth_kind *begin(
     a->center = &arc->center;
     for (int32_t i = 0; i < 2; i++) {
         a->radius[i] = i ? arc->inner : arc->outer;
-        a->inverse[i] = inverse_of(a->radius[i]);
+        a->inverse[i] = pel_smooth_circle_inverse(a->radius[i]);
     }
     if (a->angles.from == a->angles.to)
         kind = &whole;

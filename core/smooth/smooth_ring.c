@@ -27,10 +27,8 @@ static const struct pel_smooth_kind rings = {.curves = 2, .curve = curve_of};
 
 static void set_hole(struct hollow *t, int32_t radius)
 {
-    struct pel_smooth_circle circle;
-    pel_smooth_circle_set(&circle, radius);
     t->radius = radius;
-    t->inverse = circle.of.inverse;
+    t->inverse = pel_smooth_circle_inverse(radius);
 }
 
 static PEL_ALWAYS_INLINE void paint_ring(struct hollow *t)

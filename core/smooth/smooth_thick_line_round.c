@@ -178,13 +178,11 @@ static const struct pel_smooth_kind sides = {2, 4, curve_of, cut, find_line};
 static PEL_NOINLINE void set_capsule(struct capsule *c)
 {
     const struct pel_point zero = {0, 0};
-    struct pel_smooth_circle circle;
     struct pel_rise rise;
     struct pel_point end[2];
     put_in_order(c->line, end);
     const struct pel_point d = direction_of(end);
-    pel_smooth_circle_set(&circle, c->line->width >> 1);
-    c->inverse = circle.of.inverse;
+    c->inverse = pel_smooth_circle_inverse(c->line->width >> 1);
     c->right = place_across(d, c->line->width >> 1);
     c->step = pel_smooth_slope(&zero, &d, &rise);
     pel_smooth_slope_set(&c->slope, (uint64_t)pel_size_of(c->step));

@@ -74,6 +74,13 @@ void pel_smooth_circle_set(struct pel_smooth_circle *c, int32_t radius)
         pel_divide(UINT32_C(1) << (20 + c->down), (uint32_t)pel_max(radius, 1));
 }
 
+uint32_t pel_smooth_circle_inverse(int32_t radius)
+{
+    struct pel_smooth_circle circle;
+    pel_smooth_circle_set(&circle, radius);
+    return circle.of.inverse;
+}
+
 /* The step is taken with 16 bits, and the rise with as many. A line that moves
  * less than 2^-16 px in a row is taken as one that moves so far. */
 void pel_smooth_slope_set(struct pel_smooth_slope *slope, uint64_t step)

@@ -78,6 +78,9 @@ struct pel_smooth_strip {
 void pel_smooth_circle_set(struct pel_smooth_circle *circle, int32_t radius);
 void pel_smooth_circle_begin(struct pel_smooth_circle *circle, int32_t radius);
 
+/* The inverse alone. */
+uint32_t pel_smooth_circle_inverse(int32_t radius);
+
 /* How far it is from the upright axis, 2^-16 px. */
 int32_t pel_smooth_reach(const struct pel_smooth_circle *circle);
 
