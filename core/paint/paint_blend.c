@@ -6,7 +6,7 @@
 enum {
     COLORS = PEL_SMALL_CODE      ? 1
              : PEL_FEW_REGISTERS ? PEL_AT_A_TIME(16, 4)
-                                 : PEL_AT_A_TIME(16, 6)
+                                 : PEL_AT_A_TIME(16, 8)
 };
 
 /* The source draws into this surface, whose format combines what it is given
