@@ -1,5 +1,6 @@
 /* Smooth arcs where a place on a ray is hard to find: near the axes, large
  * ones, and whole turns. */
+#include <stdio.h>
 #include <string.h>
 
 #include "core/smooth/smooth_arc.h"
@@ -9,6 +10,13 @@
 #include "tests/support/round_area.h"
 
 static const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
+
+static void print_arc(const void *arc)
+{
+    const struct pel_arc_shape *const a = arc;
+    fprintf(stderr, "center %d %d radius %d inner %d angles %d to %d\n",
+            a->center.x, a->center.y, a->outer, a->inner, a->from, a->to);
+}
 
 /* Pixels around the place of an arc at a direction and a distance. */
 static void check_end(const struct round *s, int32_t angle, int32_t distance)
@@ -53,6 +61,9 @@ TEST(ends_of_large_arcs)
             random_between(r, 0, PEL_PX(32766)),
             random_between(r, 0, 3) * 16384 + random_between(r, -3000, 3000),
             random_between(r, 20000, 40000)};
+        const struct pel_arc_shape arc = {s.center, s.inner, s.radius, s.from,
+                                          s.from + s.turn};
+        cases_keep(print_arc, &arc, sizeof arc);
         check_end(&s, s.from, s.radius);
     }
 }
@@ -92,6 +103,7 @@ TEST(arcs_of_a_turn_are_rings)
             from,
             from + 65536};
         const struct pel_ring_shape ring = {arc.center, arc.inner, radius};
+        cases_keep(print_arc, &arc, sizeof arc);
         uint8_t pixels[2][SIDE * SIDE] = {{0}};
         struct pel_surface surface;
         pel_surface_init(&surface, &pel_gray8, pixels[0], sizeof pixels[0],
@@ -103,7 +115,6 @@ TEST(arcs_of_a_turn_are_rings)
         surface.pixels = pixels[1];
         pel_smooth_ring(&surface, &ring, &white.paint);
         if (memcmp(pixels[0], pixels[1], sizeof pixels[0]) != 0)
-            fail_msg("center %d %d, radius %d, inner %d; %s", arc.center.x,
-                     arc.center.y, radius, arc.inner, cases_replay());
+            fail_msg("%s", cases_replay());
     }
 }
