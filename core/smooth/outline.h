@@ -53,6 +53,43 @@ static inline struct pel_span pel_smooth_crossing_columns(
     return c->left ? left : right;
 }
 
+/* Adds what lies right of a crossing in the columns of a row from x0 to x1,
+ * some of those that it crosses, and behind them, to what each has more than
+ * the one before it; *sum is that of column x1. Its height is below 0 if it
+ * falls. */
+static PEL_ALWAYS_INLINE void pel_smooth_add_columns(
+    const struct pel_smooth_crossing *c, struct pel_span columns,
+    int32_t height, int32_t *sum)
+{
+    struct pel_smooth_arc_piece piece = {0, 0, INT32_MIN, 0};
+    int32_t n = columns.x1 - columns.x0;
+    int32_t u = pel_smooth_boundary(c, c->left ? -columns.x1 : columns.x0);
+    *sum += height;
+    sum -= c->left ? 1 : n;
+    for (; n > 0;
+         n--, u = (int32_t)((uint32_t)u + 65536), sum += c->left ? -1 : 1) {
+        int32_t area = (int32_t)pel_smooth_column_area(&c->strip, u, &piece);
+        if (!c->rising)
+            area = -area;
+        if (!c->left)
+            area = height - area;
+        sum[0] += area;
+        sum[1] -= area;
+    }
+}
+
+/* The coverage of a sum: where ends meet it may be more than a pixel. */
+static inline uint8_t pel_smooth_sum_coverage(int32_t sum)
+{
+    return pel_smooth_coverage((uint32_t)pel_min(sum, 32768));
+}
+
+/* Is it of a full pixel, or of one that is empty? */
+static inline bool pel_smooth_is_whole(uint8_t coverage)
+{
+    return (uint8_t)(coverage + 1) < 2;
+}
+
 /* Cuts a strip off below or above a place. */
 static inline void pel_smooth_cut_at(struct pel_smooth_strip *s,
                                      const struct pel_smooth_place *p,

@@ -14,18 +14,6 @@ struct part {
     uint8_t coverage[COLUMNS];
 };
 
-/* Where ends meet a sum may be more than a pixel. */
-static uint8_t coverage_of(int32_t sum)
-{
-    return pel_smooth_coverage((uint32_t)pel_min(sum, 32768));
-}
-
-/* Is it of a full pixel, or of one that is empty? */
-static bool is_whole(uint8_t coverage)
-{
-    return (uint8_t)(coverage + 1) < 2;
-}
-
 /* Some columns of a row, in which the areas right of its sides are added up. */
 struct window {
     struct pel_smooth_crossing at[CROSSINGS];
@@ -39,30 +27,6 @@ struct window {
     int32_t sum[COLUMNS + 1]; /* what each has more than the one before it, and
                                  what those up to `next` have, 2^-15 px */
 };
-
-/* Adds what lies right of the side in columns, which it crosses, and behind
- * them; or takes it away. */
-static inline void add_columns(struct window *w)
-{
-    const struct pel_smooth_crossing *const c = w->crossing;
-    struct pel_smooth_arc_piece piece = {0, 0, INT32_MIN, 0};
-    int32_t n = w->columns.x1 - w->columns.x0;
-    int32_t *sum = w->sum + (w->columns.x1 - w->x);
-    int32_t u =
-        pel_smooth_boundary(c, c->left ? -w->columns.x1 : w->columns.x0);
-    *sum += w->height;
-    sum -= c->left ? 1 : n;
-    for (; n > 0;
-         n--, u = (int32_t)((uint32_t)u + 65536), sum += c->left ? -1 : 1) {
-        int32_t area = (int32_t)pel_smooth_column_area(&c->strip, u, &piece);
-        if (!c->rising)
-            area = -area;
-        if (!c->left)
-            area = w->height - area;
-        sum[0] += area;
-        sum[1] -= area;
-    }
-}
 
 /* Finds the columns of the window that the side crosses: false: none. */
 static inline bool note_side(struct window *w)
@@ -108,7 +72,8 @@ static void fill_window(struct pel_smooth_outline *o, int32_t x, int32_t y,
         for (int32_t i = 0; i < n; i++) {
             w->crossing = &w->at[i];
             if (note_side(w))
-                add_columns(w);
+                pel_smooth_add_columns(w->crossing, w->columns, w->height,
+                                       w->sum + (w->columns.x1 - w->x));
         }
         first += CROSSINGS;
     } while (first < w->all);
@@ -123,12 +88,12 @@ static inline int32_t read_window(const struct window *w, struct part *p)
     int32_t sum = 0, i = 0, first = 0, some = 0;
     for (;; i++) {
         sum += w->sum[i];
-        const uint8_t coverage = coverage_of(sum);
-        if (i >= w->used && (i == w->n || is_whole(coverage))) {
+        const uint8_t coverage = pel_smooth_sum_coverage(sum);
+        if (i >= w->used && (i == w->n || pel_smooth_is_whole(coverage))) {
             const int32_t end = w->x + i;
             p->some = (struct pel_span){w->x + first, w->x + some};
             p->full = (struct pel_span){end, coverage == 255 ? w->next : end};
-            return is_whole(coverage) ? w->next : end;
+            return pel_smooth_is_whole(coverage) ? w->next : end;
         }
         if (coverage)
             some = i + 1;

@@ -84,18 +84,6 @@ static PEL_ALWAYS_INLINE void add_sides(struct pel_smooth_short_outline *t,
             add_side(t);
 }
 
-/* Where ends meet a sum may be more than a pixel. */
-static uint8_t coverage_of(int32_t sum)
-{
-    return pel_smooth_coverage((uint32_t)pel_min(sum, 32768));
-}
-
-/* Is it of a full pixel, or of one that is empty? */
-static bool is_whole(uint8_t coverage)
-{
-    return (uint8_t)(coverage + 1) < 2;
-}
-
 #if PEL_SMALL_CODE
 /* Adds what lies right of a side in the pixel, or takes it away. */
 static PEL_NOINLINE void add_side(struct pel_smooth_short_outline *t)
@@ -131,9 +119,9 @@ static PEL_ALWAYS_INLINE void find_part(struct pel_smooth_short_outline *t,
         t->part.some.x1 = t->seen.last_x + 1;
         t->of.window.sum[0] = 0;
         add_sides(t, kind);
-        const uint8_t coverage = coverage_of(t->of.window.sum[0]);
+        const uint8_t coverage = pel_smooth_sum_coverage(t->of.window.sum[0]);
         p->coverage[p->full.x1 - p->some.x0] = coverage;
-        if (is_whole(coverage)) {
+        if (pel_smooth_is_whole(coverage)) {
             const int32_t next = p->some.x1;
             p->some.x1 = p->full.x1;
             p->full.x0 = coverage ? p->full.x1 : next;
@@ -153,7 +141,6 @@ static PEL_NOINLINE void add_side(struct pel_smooth_short_outline *t)
     const struct pel_smooth_crossing *const c = &t->of.window.crossing;
     const int32_t x = t->part.full.x1;
     const int32_t end = pel_min(x + PEL_SMOOTH_COLUMNS, t->seen.last_x + 1);
-    struct pel_smooth_arc_piece piece = {0, 0, INT32_MIN, 0};
     struct pel_span columns = pel_smooth_crossing_columns(c);
     int32_t height = pel_smooth_height(&c->strip);
     if (!c->rising)
@@ -164,24 +151,11 @@ static PEL_NOINLINE void add_side(struct pel_smooth_short_outline *t)
         t->part.some.x0 = pel_min(t->part.some.x0, pel_max(columns.x0, end));
     columns.x0 = pel_max(columns.x0, x);
     columns.x1 = pel_min(columns.x1, end);
-    int32_t n = columns.x1 - columns.x0;
-    if (n <= 0)
+    if (columns.x0 >= columns.x1)
         return;
     t->part.some.x1 = pel_max(t->part.some.x1, columns.x1 - x);
-    int32_t *sum = t->of.window.sum + (columns.x1 - x);
-    int32_t u = pel_smooth_boundary(c, c->left ? -columns.x1 : columns.x0);
-    *sum += height;
-    sum -= c->left ? 1 : n;
-    for (; n > 0;
-         n--, u = (int32_t)((uint32_t)u + 65536), sum += c->left ? -1 : 1) {
-        int32_t area = (int32_t)pel_smooth_column_area(&c->strip, u, &piece);
-        if (!c->rising)
-            area = -area;
-        if (!c->left)
-            area = height - area;
-        sum[0] += area;
-        sum[1] -= area;
-    }
+    pel_smooth_add_columns(c, columns, height,
+                           t->of.window.sum + (columns.x1 - x));
 }
 
 static PEL_ALWAYS_INLINE void fill_window(struct pel_smooth_short_outline *t,
@@ -206,9 +180,9 @@ static PEL_NOINLINE void read_window(struct pel_smooth_short_outline *t)
     int32_t sum = 0, i = 0, first = 0, some = 0;
     for (;; i++) {
         sum += t->of.window.sum[i];
-        const uint8_t coverage = coverage_of(sum);
-        if (i >= p->some.x1 && (i == most || is_whole(coverage))) {
-            p->full.x1 = is_whole(coverage) ? next : x + i;
+        const uint8_t coverage = pel_smooth_sum_coverage(sum);
+        if (i >= p->some.x1 && (i == most || pel_smooth_is_whole(coverage))) {
+            p->full.x1 = pel_smooth_is_whole(coverage) ? next : x + i;
             p->full.x0 = coverage == 255 ? x + i : p->full.x1;
             p->some = (struct pel_span){x + first, x + some};
             return;
