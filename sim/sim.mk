@@ -40,11 +40,13 @@ SIM_OF_jansson := $(wildcard sim/mesh/gltf_*.c)
 SIM_OF_libzip := sim/mesh/mend_3mf_put.c
 SIM_OF_expat := $(SIM_OF_libzip) sim/icon/svg_shape.c sim/icon/svg_style.c
 SIM_OF_freetype2 := sim/font/kerning.c sim/font/outline.c sim/font/outline_points.c
+SIM_OF_sdl2 := port/sdl/window_sdl.c
 sim_of = $(foreach p,$1,$(SIM_OF_$p))
 
-SIM := $(filter-out $(call sim_of,$(filter-out $(SIM_PACKAGES),$(SIM_LIBRARIES))),\
-    $(sort $(wildcard sim/*.c sim/*/*.c))) port/sdl/inspect.c \
-    $(SDL_FOUND:%=port/sdl/window_sdl.c)
+# The sources of pel with the libraries $1.
+sim_sources = $(filter-out $(call sim_of,$(filter-out $1,$(SIM_LIBRARIES))),\
+    $(sort $(wildcard sim/*.c sim/*/*.c)) port/sdl/inspect.c $(SIM_OF_sdl2))
+SIM := $(call sim_sources,$(SIM_PACKAGES))
 SIM_OBJECTS := $(SIM:%.c=$(BUILD)/%.o)
 
 all: $(BUILD)/pel

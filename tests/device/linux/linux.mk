@@ -92,8 +92,7 @@ $(LINUX_CHECK)/guest/pel: linux-static
 	@cp $(LINUX_STATIC)/pel $@
 
 LINUX_STATIC_OBJECTS = $(LINUX_OBJECTS:$(BUILD)/%=$(LINUX_STATIC)/%)
-LINUX_STATIC_SIM = $(patsubst $(BUILD)/%,$(LINUX_STATIC)/%,$(filter-out \
-    %/window_sdl.o,$(SIM_OBJECTS)))
+LINUX_STATIC_SIM := $(patsubst %.c,$(LINUX_STATIC)/%.o,$(call sim_sources,))
 
 # The function that a program brings a version of its own of.
 LINUX_WRAP_no_restore := pel_console_state_restore
