@@ -156,9 +156,8 @@ DEEP_PROGRAMS := $(TEST_PROPERTY:%=$(T)/host/%) \
 deep: $(DEEP_PROGRAMS) ## the long sweeps: 10^8 triangles, all CPUs; half an hour
 	@mkdir -p $(T)/deep
 	@seed=$${PEL_SEED:-$$(date +%s)}; echo "PEL_SEED=$$seed"; \
-	for t in $(DEEP_EXTRA); do printf '%s\t%s\n' "make $$t" \
-	    "$(TEST_MAKE) $$t"; \
-	done >$(T)/deep.list; \
+	printf '%s\t%s\n' "make $(DEEP_EXTRA)" \
+	    "$(TEST_MAKE) -k -Otarget $(DEEP_EXTRA)" >$(T)/deep.list; \
 	for b in host portable; do for i in $(DEEP_PARTS); do \
 	    printf '%s\t%s\n' "test_raster_triangles $$b $$i" "PEL_SEED=$$seed$$i \
 	        PEL_SCALE=1000 $(T)/$$b/tests/property/test_raster_triangles"; \
