@@ -77,6 +77,10 @@ cmake -S . -B "$work/bare" -D CMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON \
     >"$work/log" 2>&1 || fail "CMake without packages"
 grep -q '^all:.*pel_linux' "$work/bare/CMakeFiles/Makefile2" &&
     fail "CMake builds pel_linux where no package of it is"
+cmake -S . -B "$work/firmware" -D CMAKE_SYSTEM_NAME=Generic >"$work/log" 2>&1 ||
+    fail "CMake for a board"
+grep -qE 'pel_(sdl|linux)' "$work/firmware/CMakeFiles/Makefile2" &&
+    fail "CMake builds for a board what the host has packages of"
 
 # ESP-IDF; Zephyr, with a library of its own name
 run cmake_idf cmake -P requirements.cmake
