@@ -5,14 +5,9 @@
 #include "gray.inc"
 #include "body_bits.inc"
 
-static void fill(const struct pel_spans *spans, uint32_t pixel)
-{
-    pel_fill_bits(spans, pixel * 0x55u);
-}
-
 const struct pel_format pel_gray2 = {
     .id = PEL_FORMAT_GRAY2,
-    .fill = fill,
+    .fill = fill_bits,
     .blend = blend,
     FORMAT_BITS,
 };

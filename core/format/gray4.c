@@ -5,14 +5,9 @@
 #include "gray.inc"
 #include "body_bits.inc"
 
-static void fill(const struct pel_spans *spans, uint32_t pixel)
-{
-    pel_fill_bits(spans, pixel * 0x11u);
-}
-
 const struct pel_format pel_gray4 = {
     .id = PEL_FORMAT_GRAY4,
-    .fill = fill,
+    .fill = fill_bits,
     .blend = blend,
     FORMAT_BITS,
 };

@@ -51,16 +51,11 @@ static uint32_t blended(uint32_t ink, const struct pel_premultiplied *s)
 
 #include "body.inc"
 
-static void fill(const struct pel_spans *spans, uint32_t pixel)
-{
-    pel_fill_bits(spans, pixel * 0x55u);
-}
-
 const struct pel_format pel_inks2 = {
     .id = PEL_FORMAT_INKS2,
     .bits = BITS,
     .word = 1,
-    .fill = fill,
+    .fill = fill_bits,
     .blend = blend,
     FUNCTIONS,
     WHOLE_CHANNELS,

@@ -5,14 +5,9 @@
 #include "gray.inc"
 #include "body_bits.inc"
 
-static void fill(const struct pel_spans *spans, uint32_t pixel)
-{
-    pel_fill_bits(spans, pixel ? 0xFFu : 0u);
-}
-
 const struct pel_format pel_mono1 = {
     .id = PEL_FORMAT_MONO1,
-    .fill = fill,
+    .fill = fill_bits,
     .blend = pel_blend_mono,
     FORMAT_BITS,
 };
