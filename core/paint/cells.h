@@ -66,20 +66,19 @@ struct pel_cells {
     uint8_t left;                        /* spans from `span` on */
 #endif
 
-    /* The next cell: its index; the direction to the one behind it: 1, -1; 0:
-     * none comes; and its pixel value, or its color where that is not opaque.
-     */
+    /* The next cell: its index, the direction to the one behind it (1 or -1; 0:
+     * none comes), how it is drawn. */
     pel_cell_index index;
     pel_cell_direction direction;
     pel_cell_draw draw;
 
-    /* Of a radial gradient the radius where the present cell begins, of a conic
-     * one the angle, rounded down, and what that drops. Of a linear one, whole:
-     * what units leave of the error. */
+    /* Where the present cell begins, rounded down, and what that drops: a
+     * radius of a radial gradient, an angle of a conic one. Of a linear one
+     * `whole` is what units leave of the error. */
     pel_cell_rest remainder;
     int32_t whole;
 
-    uint32_t value;
+    uint32_t value; /* of the next cell: a pixel, or a color not opaque */
     const struct pel_gradient *gradient;
     struct pel_spans cell; /* the present cell's runs: pel_cells_run */
 
@@ -102,21 +101,6 @@ static inline struct pel_span *pel_cells_run(struct pel_cells *c)
     return c->run;
 #endif
 }
-
-#if PEL_SHORT_STACK
-static inline pel_cell_draw pel_cells_draw_of(const struct pel_format *format,
-                                              bool opaque)
-{
-    (void)format;
-    return opaque;
-}
-#else
-static inline pel_cell_draw pel_cells_draw_of(const struct pel_format *format,
-                                              bool opaque)
-{
-    return opaque ? format->fill : format->blend;
-}
-#endif
 
 /* The index of the cell `part` of copy number `copy` of the ramp; of a padded
  * one copy >= 0. */

@@ -47,7 +47,11 @@ void pel_cells_color(struct pel_cells *c)
     const pel_color color = c->gradient->color(c->gradient, c->index);
     const struct pel_format *format = c->cell.surface->format;
     const bool opaque = pel_alpha(color) == 255;
-    c->draw = pel_cells_draw_of(format, opaque);
+#if PEL_SHORT_STACK
+    c->draw = opaque;
+#else
+    c->draw = opaque ? format->fill : format->blend;
+#endif
     c->value = opaque ? format->pack(color) : color;
 }
 
@@ -62,8 +66,8 @@ static inline pel_color find_mask(const struct pel_surface *surface)
     return mask;
 }
 
-/* That, and where these rows have all ended: kept, or found anew where stack is
- * short. */
+/* The mask, and the column where these rows have all ended, are kept, or found
+ * anew where stack is short. */
 #if PEL_SHORT_STACK
 
 static inline void keep(struct pel_cells *c, int32_t end, pel_color mask)

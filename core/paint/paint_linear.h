@@ -25,17 +25,18 @@ PEL_BEGIN_DECLS
  * color stays. */
 struct pel_linear {
     struct pel_gradient base;
-    struct pel_point from, d; /* from `to` to `from` instead where d.x would be
-                                 negative, or d.y where d.x is 0: so products
-                                 grow to the right, or downwards */
-    int64_t
-        square; /* |d|^2 = 256 n cell + cell_remainder, which are not set where
-                   code is to be small; nor is a vertical direction turned */
+
+    /* Both ends change places where d.x would be below 0, or d.y where d.x is
+     * 0: products grow to the right, or downwards. Where code is to be small a
+     * vertical gradient is not turned. */
+    struct pel_point from, d;
+    int64_t square; /* |d|^2 = 256 n cell + cell_remainder; small code does not
+                       set these two */
     int64_t cell;
     int64_t step; /* 256 n d.x: by which n products grow from pixel to pixel */
     int32_t cell_remainder;
-    int32_t direction; /* 1, or -1 when turned; 0 where code is to be small and
-                    all of a row is in one cell */
+    int32_t direction; /* 1, or -1 when turned; 0 in small code where all of a
+                          row is in one cell */
 };
 
 /* PEL_ERROR_NULL, PEL_ERROR_SIZE (the ramp's n, or from and to are one point),
