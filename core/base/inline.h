@@ -92,18 +92,16 @@ static inline int pel_trailing_zeros(uint32_t v)
 
 /* Where stack is short a shape's and a paint's add up to 384 bytes at most.
  * Then few rows and colors are kept on it at a time. A PEL_STEP is a function
- * of its own there, whose stack is free again when it returns; PEL_STEPS, which
- * call it, are not. Elsewhere a PEL_STEP_OR_INLINE is always inlined, a
- * PEL_STEP_OF_FEW also where there are more registers than Thumb-1 has. */
+ * of its own there, whose stack is free again when it returns. Elsewhere a
+ * PEL_STEP_OR_INLINE is always inlined, a PEL_STEP_OF_FEW also where there are
+ * more registers than Thumb-1 has. */
 #if PEL_SHORT_STACK
 #define PEL_AT_A_TIME(n, few) ((n) < (few) ? (n) : (few))
 #define PEL_STEP PEL_NOINLINE
-#define PEL_STEPS PEL_ALWAYS_INLINE
 #define PEL_STEP_OR_INLINE PEL_NOINLINE
 #else
 #define PEL_AT_A_TIME(n, few) (n)
 #define PEL_STEP PEL_HOT
-#define PEL_STEPS PEL_NOINLINE_32
 #define PEL_STEP_OR_INLINE PEL_ALWAYS_INLINE
 #endif
 #define PEL_ROWS PEL_AT_A_TIME(PEL_BATCH_ROWS, 4)

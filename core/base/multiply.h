@@ -48,11 +48,9 @@ int pel_bits_of(uint64_t v);
 /* a b with a sign, of any two. */
 static inline int64_t pel_long_product(int32_t a, int32_t b)
 {
-#if PEL_LONG_MULTIPLY
-    return PEL_CAST(int64_t, a) * b;
-#else
-    return PEL_CAST(int64_t, pel_times(PEL_CAST(uint64_t, a), b));
-#endif
+    return PEL_LONG_MULTIPLY
+               ? PEL_CAST(int64_t, a) * b
+               : PEL_CAST(int64_t, pel_times(PEL_CAST(uint64_t, a), b));
 }
 
 static inline int64_t pel_square(int32_t u)

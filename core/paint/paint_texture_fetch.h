@@ -21,12 +21,6 @@ enum pel_status pel_texture_set(struct pel_texture *paint,
                                 const struct pel_texels *texels,
                                 const struct pel_texture_map *map);
 
-static inline const void *pel_texture_line(const struct pel_texture *p,
-                                           int32_t v)
-{
-    return p->memory + (ptrdiff_t)v * p->stride;
-}
-
 static PEL_SHARED pel_color pel_texel_of_565(uint32_t w)
 {
     return PEL_RGB(pel_widen(w >> 11, 5), pel_widen(w >> 5 & 63, 6),
@@ -46,7 +40,7 @@ pel_texel_loaded(const struct pel_texture *p, int32_t u, int32_t v)
 static PEL_HOT pel_color pel_texel(const struct pel_texture *p, int kind,
                                    int32_t u, int32_t v)
 {
-    const void *line = pel_texture_line(p, v);
+    const void *line = p->memory + (ptrdiff_t)v * p->stride;
     if (kind == PEL_TEXTURE_COLORS)
         return ((const pel_word32 *)line)[u];
     if (kind == PEL_TEXTURE_XRGB8888)

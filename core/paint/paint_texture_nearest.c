@@ -65,20 +65,13 @@ static PEL_STEP void inner_runs(const struct pel_texture *p,
     pel_texture_run(p, a, n, out, inner_run);
 }
 
-/* Does a run of n pixels stay inside the picture? */
-static PEL_ALWAYS_INLINE bool is_inner(const struct pel_texture_axes *a,
-                                       const struct pel_texture *p, int32_t n)
-{
-    return pel_texture_axes_inside(a, p, n, 0);
-}
-
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
     const struct pel_texture *p = (const void *)paint;
     struct pel_texture_axes a;
     pel_texture_axes_start(&a, p, x, y);
-    if (is_inner(&a, p, n) && !PEL_SMALL_CODE)
+    if (pel_texture_axes_inside(&a, p, n, 0) && !PEL_SMALL_CODE)
         inner_runs(p, &a, n, out);
     else
         outer_run(p, &a, n, out);
@@ -215,7 +208,7 @@ static void copy_run(const struct copy *c, int32_t x, int32_t y)
 {
     struct pel_texture_axes a;
     pel_texture_axes_start(&a, c->paint, x, y);
-    if (is_inner(&a, c->paint, (int32_t)(c->end - c->out)))
+    if (pel_texture_axes_inside(&a, c->paint, (int32_t)(c->end - c->out), 0))
         copy_inner_run(c, &a);
     else if (pel_texture_is_masked(c->paint->width, c->paint->wrap_u) &&
              pel_texture_is_masked(c->paint->height, c->paint->wrap_v))

@@ -10,7 +10,9 @@ static PEL_NOINLINE void colors_of_span(const struct pel_gouraud *g, int32_t x,
     uint32_t alpha = g->at[3] + (uint32_t)x * g->dx[3] + (uint32_t)y * g->dy[3];
     for (; n > 0; n--) {
         *colors++ = PEL_RGBA(v[2] >> 24, v[1] >> 24, v[0] >> 24, alpha >> 24);
-        pel_gouraud_step(v, g->dx);
+        v[0] += g->dx[0];
+        v[1] += g->dx[1];
+        v[2] += g->dx[2];
         alpha += g->dx[3];
     }
 }

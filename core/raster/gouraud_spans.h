@@ -27,14 +27,6 @@ static PEL_ALWAYS_INLINE void pel_gouraud_at(const struct pel_gouraud *g,
         v[k] = g->at[k] + (uint32_t)x * g->dx[k] + (uint32_t)y * g->dy[k];
 }
 
-static PEL_ALWAYS_INLINE void pel_gouraud_step(uint32_t v[3],
-                                               const uint32_t dx[3])
-{
-    v[0] += dx[0];
-    v[1] += dx[1];
-    v[2] += dx[2];
-}
-
 #if PEL_VECTORS
 
 /* A pixel's channels are the lanes of a vector: blue, green, red and an alpha
@@ -115,14 +107,6 @@ pel_gouraud_pack(const struct pel_gouraud_pixels *p,
            ((b + s->next[0]) >> 11 & 0x001F0000u);
 }
 
-static PEL_ALWAYS_INLINE void pel_gouraud_step_on(
-    struct pel_gouraud_pixels *p, const struct pel_gouraud_steps *s)
-{
-    PEL_UNROLL
-    for (int k = 0; k < 3; k++)
-        p->v[k] += s->on[k];
-}
-
 /* The first n of a vector, which are not all. */
 static PEL_ALWAYS_INLINE void pel_gouraud_put_few(uintptr_t p, int32_t n,
                                                   pel_u32x4 pixels, int bytes)
@@ -152,7 +136,9 @@ static PEL_ALWAYS_INLINE void pel_gouraud_span(
     pel_put_u32x4((void *)p, first);
     pel_put_u32x4((void *)end, pel_gouraud_pack(&tail, s, bytes));
     while ((p += 16) < end) {
-        pel_gouraud_step_on(&a, s);
+        PEL_UNROLL
+        for (int k = 0; k < 3; k++)
+            a.v[k] += s->on[k];
         pel_put_u32x4((void *)p, pel_gouraud_pack(&a, s, bytes));
     }
 }

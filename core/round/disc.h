@@ -103,17 +103,6 @@ static inline void pel_ring_hole(struct pel_ring_walk *w, struct pel_span *span)
 void pel_disc_walk_begin(struct pel_disc_walk *w,
                          const struct pel_point *center, int32_t radius);
 
-static inline bool pel_disc_walk_start(struct pel_disc_walk *w,
-                                       const struct pel_point *center,
-                                       int32_t radius,
-                                       const struct pel_rect *clip)
-{
-    if (!pel_disc_walk_box(w, center, radius, clip))
-        return false;
-    pel_disc_walk_begin(w, center, radius);
-    return true;
-}
-
 static inline bool pel_disc_walk_ended(const struct pel_disc_walk *w)
 {
     return w->visible.y0 >= w->visible.y1;

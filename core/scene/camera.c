@@ -179,11 +179,12 @@ static int32_t quotient(int64_t n, int bits, int down, uint32_t divisor)
     return (int32_t)pel_divide(sum, divisor) - (INT32_C(1) << 24);
 }
 
-/* The sub-pixel of a position, clamped to the legal range; true when that
+/* The sub-pixel of a fine position, clamped to the legal range; true when that
  * changes nothing. */
-static bool on_screen(const struct pel_projector *p, const int64_t c[2],
-                      int64_t z, int32_t out[2])
+static bool on_screen(const struct pel_projector *p, const int64_t c[3],
+                      int32_t out[2])
 {
+    const int64_t z = p->one ? pel_scale_down(p->one, -p->coarse) : c[2];
     const int down = pel_bits_of((uint64_t)z) - 31;
     const uint32_t divisor = (uint32_t)pel_scale_down(z, down);
     bool on = true;
@@ -198,13 +199,6 @@ static bool on_screen(const struct pel_projector *p, const int64_t c[2],
     return on;
 }
 
-static bool on_screen_of(const struct pel_projector *p, const int64_t fine[3],
-                         int32_t out[2])
-{
-    return on_screen(
-        p, fine, p->one ? pel_scale_down(p->one, -p->coarse) : fine[2], out);
-}
-
 void pel_project(const struct pel_projector *projector,
                  const int16_t position[3], struct pel_projected *out)
 {
@@ -213,7 +207,7 @@ void pel_project(const struct pel_projector *projector,
     int32_t at[2];
     pel_project_fine(p, position, fine);
     out->z = (int32_t)(fine[2] >> p->coarse);
-    const bool seen = out->z >= p->near_coarse && on_screen_of(p, fine, at);
+    const bool seen = out->z >= p->near_coarse && on_screen(p, fine, at);
     out->x = seen ? at[0] : PEL_NOT_ON_SCREEN;
     out->y = seen ? at[1] : 0;
 }
@@ -222,6 +216,6 @@ struct pel_point pel_project_clipped(const struct pel_projector *projector,
                                      const int64_t fine[3])
 {
     int32_t at[2];
-    on_screen_of(projector, fine, at);
+    on_screen(projector, fine, at);
     return (struct pel_point){at[0], at[1]};
 }

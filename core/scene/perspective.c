@@ -77,15 +77,6 @@ static void there(const struct pel_color_paint *paint, int32_t x, int32_t y,
 static const struct pel_color_paint surface_there =
     PEL_COLOR_PAINT(there, true);
 
-static void white(const struct pel_color_paint *paint, int32_t x, int32_t y,
-                  int32_t n, pel_color *out)
-{
-    (void)paint;
-    (void)(x + y);
-    for (int32_t i = 0; i < n; i++)
-        out[i] = UINT32_C(0xFFFFFFFF);
-}
-
 static struct pel_divided_triangle *triangle_of(struct pel_frame *frame)
 {
     return (void *)(frame->work + 1);
@@ -137,13 +128,13 @@ static const struct pel_paint *gouraud(struct pel_frame *frame,
                                        const struct pel_color_paint *surface,
                                        const pel_color color[3])
 {
-    static const struct pel_color_paint none = PEL_COLOR_PAINT(white, true);
     if (!is_deep(frame, range_of(color)))
         return pel_frame_gouraud_paint(frame, surface, color);
-    pel_shaded_start(frame, &surface_there, color, pel_modulated_pixel,
-                     PEL_AT_COLOR);
-    const struct pel_paint *paint =
-        divide(frame, surface ? surface : &none, SPAN);
+    struct pel_shaded *p =
+        pel_shaded_start(frame, surface ? &surface_there : NULL, color,
+                         pel_modulated_pixel, PEL_AT_COLOR);
+    p->under = UINT32_C(0xFFFFFFFF);
+    const struct pel_paint *paint = divide(frame, surface, SPAN);
     pel_color_planes(frame, color, set_value);
     return paint;
 }

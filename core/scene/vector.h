@@ -50,13 +50,10 @@ int32_t pel_weighted(const int32_t a[3], const int32_t b[3]);
  * it must fit. */
 static inline uint32_t pel_share(uint32_t a, int32_t b, int n)
 {
-#if PEL_SMALL_CODE
-    return PEL_CAST(uint32_t, pel_scaled(PEL_CAST(int32_t, a), b, n));
-#else
-    return PEL_CAST(uint32_t, (pel_multiply(a, PEL_CAST(uint32_t, b)) +
-                               (UINT64_C(1) << (n - 1))) >>
-                                  n);
-#endif
+    if (PEL_SMALL_CODE)
+        return PEL_CAST(uint32_t, pel_scaled(PEL_CAST(int32_t, a), b, n));
+    const uint64_t product = pel_multiply(a, PEL_CAST(uint32_t, b));
+    return PEL_CAST(uint32_t, (product + (UINT64_C(1) << (n - 1))) >> n);
 }
 
 /* An upper bound of |v[k]|, with as many bits as the largest of them. */
