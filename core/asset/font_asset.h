@@ -74,6 +74,29 @@ struct pel_font_pair {
     int8_t x;
 };
 
+/* Of n pairs of `size` bytes, which begin with both indices and are in order:
+ * that of two glyphs, or NULL. */
+static inline const void *pel_font_pair_find(const void *pairs, int32_t n,
+                                             uint32_t size, uint32_t left,
+                                             uint32_t right)
+{
+    const uint32_t wanted = left << 8 | right;
+    int32_t low = 0, high = left < 256 && right < 256 ? n : 0;
+    while (low < high) {
+        const int32_t middle = (low + high) / 2;
+        const uint8_t *const pair = PEL_CAST(const uint8_t *, pairs) +
+                                    PEL_CAST(uint32_t, middle) * size;
+        const uint32_t at = pair[0] * UINT32_C(256) + pair[1];
+        if (at == wanted)
+            return pair;
+        if (at < wanted)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return NULL;
+}
+
 struct pel_font_asset;
 struct pel_surface;
 struct pel_paint;

@@ -55,6 +55,13 @@ static inline uint32_t pel_round_div255(uint32_t t)
     return (t + (t >> 8)) >> 8;
 }
 
+/* The color with its alpha times weight / 255. */
+static inline pel_color pel_weighed(pel_color c, uint32_t weight)
+{
+    return (c & UINT32_C(0xFFFFFF)) | pel_round_div255(pel_alpha(c) * weight)
+                                          << 24;
+}
+
 /* A color times its alpha, and the weight of the color below. The factor 257
  * makes a shift of the division: pel_round_div255(t) is 257 (t + 128) >> 16. */
 struct pel_premultiplied {

@@ -119,6 +119,14 @@ static inline bool pel_corners_legal(const struct pel_point v[3])
     return PEL_SMALL_CODE ? pel_points_legal(v, 3) : offset >> 24 == 0;
 }
 
+/* Twice a triangle's area in 1/65,536 px^2, below 2^50: above 0 where its legal
+ * corners run clockwise on screen. */
+static PEL_SHARED int64_t pel_corners_area(const struct pel_point v[3])
+{
+    return pel_product(v[1].x - v[0].x, v[2].y - v[0].y) -
+           pel_product(v[2].x - v[0].x, v[1].y - v[0].y);
+}
+
 /* For PEL_HINT: false when all of n points and a radius (or 0) are below 2 px
  * and not all are 0, as pixels are that are meant to be sub-pixels. */
 static inline bool pel_in_subpixels(const struct pel_point *v, int32_t n,
@@ -128,6 +136,14 @@ static inline bool pel_in_subpixels(const struct pel_point *v, int32_t n,
     while (n-- > 0)
         all |= PEL_CAST(uint32_t, v[n].x) | PEL_CAST(uint32_t, v[n].y);
     return all - 1 >= 511;
+}
+
+/* Can pixel (x, y) be one of a surface? */
+static inline bool pel_pixel_legal(int32_t x, int32_t y)
+{
+    const uint32_t a = PEL_CAST(uint32_t, x) + 32768u;
+    const uint32_t b = PEL_CAST(uint32_t, y) + 32768u;
+    return (a | b) >> 16 == 0;
 }
 
 /* Where a picture or text goes, px: -65,536..65,536. */

@@ -55,10 +55,8 @@ static inline struct pel_rect pel_points_box(const struct pel_point *v,
     struct pel_rect r = {v->x, v->y, v->x, v->y};
     while (--n > 0) {
         v++;
-        r.x0 = pel_min(r.x0, v->x);
-        r.y0 = pel_min(r.y0, v->y);
-        r.x1 = pel_max(r.x1, v->x);
-        r.y1 = pel_max(r.y1, v->y);
+        const struct pel_rect point = {v->x, v->y, v->x, v->y};
+        r = pel_rect_join(&r, &point);
     }
     return r;
 }

@@ -7,10 +7,9 @@
 /* Sets *p to the centre of pixel (x, y); false when that is out of range. */
 static inline bool set_point(int32_t x, int32_t y, struct pel_point *p)
 {
-    if ((((uint32_t)x + 32768u) | ((uint32_t)y + 32768u)) >> 16)
+    if (!pel_pixel_legal(x, y))
         return false;
-    p->x = pel_pixel_center(x);
-    p->y = pel_pixel_center(y);
+    *p = (struct pel_point){pel_pixel_center(x), pel_pixel_center(y)};
     return true;
 }
 
@@ -239,8 +238,7 @@ bool pel_hit_thick_line(const struct pel_thick_line_shape *line, int32_t x,
 {
     struct pel_point p, v[4];
     const struct pel_polygon_shape polygon = {v, 4, PEL_NON_ZERO};
-    if (!set_point(x, y, &p) || !pel_point_legal(line->from) ||
-        !pel_point_legal(line->to) || !pel_radius_legal(line->width))
+    if (!set_point(x, y, &p) || !pel_thick_line_legal(line))
         return false;
     const struct pel_rect box = pel_thick_line_box(line);
     return in_box(&box, p) && pel_thick_line_corners(line, v) &&

@@ -43,9 +43,9 @@ static PEL_ALWAYS_INLINE void ask_ahead(uintptr_t row, ptrdiff_t stride,
             pel_prefetch(row + i);
 }
 
-/* Lines of n pixels. They get the unused bits `set`; those that then are `skip`
- * stay as they are. Without a key `skip` is 0, and copy8 to copy32 are taken
- * only where `set` is not: then they skip nothing. */
+/* Lines of n pixels, which get the unused bits `set`. One that is `skip` then
+ * is not copied. Without a key that is 0, and no pixel is: copy8 to copy32 are
+ * taken only where `set` is not 0. */
 struct run {
     ptrdiff_t to_stride, from_stride;
     int32_t rows, n;
@@ -265,10 +265,8 @@ void pel_copy_keyed(const struct pel_surface *surface,
 
 static void weigh(pel_color *colors, int32_t n, uint32_t alpha)
 {
-    for (int32_t i = 0; i < n; i++) {
-        uint32_t weight = pel_round_div255(pel_alpha(colors[i]) * alpha);
-        colors[i] = (colors[i] & UINT32_C(0xFFFFFF)) | weight << 24;
-    }
+    for (int32_t i = 0; i < n; i++)
+        colors[i] = pel_weighed(colors[i], alpha);
 }
 
 void pel_copy_alpha(const struct pel_surface *surface,

@@ -20,10 +20,8 @@ struct copy {
 static void load(const struct copy *c, int32_t x, int32_t n, pel_color *colors)
 {
     c->words.format->load(&c->words, x, 0, n, colors);
-    for (int32_t i = 0; i < n && c->alpha < 255; i++) {
-        const uint32_t a = pel_alpha(colors[i]) * c->alpha;
-        colors[i] = colors[i] << 8 >> 8 | pel_round_div255(a) << 24;
-    }
+    for (int32_t i = 0; i < n && c->alpha < 255; i++)
+        colors[i] = pel_weighed(colors[i], c->alpha);
 }
 
 /* All pixels of the span get the color of the first of the words: of the usual

@@ -60,13 +60,6 @@ struct drawing {
 
 PEL_STATIC_ASSERT(pel_icon_fits, sizeof(struct drawing) <= PEL_ICON_SIZE);
 
-/* The program's with the alpha of the part. */
-static pel_color program_color(pel_color color, pel_color part)
-{
-    const uint32_t alpha = pel_round_div255(pel_alpha(color) * pel_alpha(part));
-    return (color & UINT32_C(0xFFFFFF)) | alpha << 24;
-}
-
 /* False: out of range. */
 static bool set_paint(struct drawing *d)
 {
@@ -79,7 +72,7 @@ static bool set_paint(struct drawing *d)
     d->paint.flat = (struct pel_flat)PEL_FLAT(
         part->gradient == PEL_ICON_FLAT
             ? part->color
-            : program_color(d->shape->color, part->color));
+            : pel_weighed(d->shape->color, pel_alpha(part->color)));
     return true;
 }
 

@@ -69,18 +69,13 @@ static pel_color color_at(const struct pel_icon_paint *p, int32_t place)
                  part * 256 / (uint32_t)(s[1].at - s->at));
 }
 
-static uint64_t start_of(const struct pel_icon_axis *axis, int32_t x, int32_t y)
-{
-    return axis->at + pel_times(axis->x, x) + pel_times(axis->y, y);
-}
-
 static PEL_NOINLINE void begin_row(const struct pel_icon_paint *p,
                                    const struct pel_span *span, int32_t y)
 {
     p->run->x = span->x0;
     p->run->end = span->x1;
-    p->run->u = start_of(&p->u, span->x0, y);
-    p->run->v = start_of(&p->v, span->x0, y);
+    p->run->u = pel_plane_at(&p->u, span->x0, y);
+    p->run->v = pel_plane_at(&p->v, span->x0, y);
 }
 
 /* Sets the colors of the next pixels: how many. */
@@ -90,8 +85,8 @@ static PEL_NOINLINE int32_t next_colors(const struct pel_icon_paint *p)
     const int32_t most = pel_min(run->end - run->x, PEL_ICON_RUN);
     for (int32_t i = 0; i < most; i++) {
         run->colors[i] = color_at(p, place_of(p, run->u, run->v));
-        run->u += p->u.x;
-        run->v += p->v.x;
+        run->u += p->u.dx;
+        run->v += p->v.dx;
     }
     run->x += most;
     return most;
@@ -118,13 +113,13 @@ static uint64_t step_of(int32_t b, int64_t area)
 }
 
 /* (p - from) x d / area of the centre of a pixel p, in steps of x and y. */
-static void set_axis(struct pel_icon_axis *axis, struct pel_point from,
+static void set_axis(struct pel_plane *axis, struct pel_point from,
                      struct pel_point d, int64_t area)
 {
-    axis->x = step_of(d.y, area);
-    axis->y = step_of(-d.x, area);
+    axis->dx = step_of(d.y, area);
+    axis->dy = step_of(-d.x, area);
     const uint64_t at =
-        pel_times(axis->x, 128 - from.x) + pel_times(axis->y, 128 - from.y);
+        pel_times(axis->dx, 128 - from.x) + pel_times(axis->dy, 128 - from.y);
     axis->at = (uint64_t)((int64_t)at >> 8);
 }
 

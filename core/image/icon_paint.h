@@ -3,13 +3,8 @@
 #define PEL_IMAGE_ICON_PAINT_H
 
 #include "../path/path.h"
+#include "../raster/plane.h"
 #include "icon.h"
-
-/* u or v of a gradient in 2^-24, modulo 2^64: at the centre of pixel (x, y) it
- * is at + x * axis.x + y * axis.y. */
-struct pel_icon_axis {
-    uint64_t at, x, y;
-};
 
 enum { PEL_ICON_RUN = 8 };
 
@@ -25,7 +20,7 @@ struct pel_icon_paint {
     struct pel_icon_run *run; /* memory for one, as stacks are small */
     const struct pel_icon_gradient *gradient;
     const struct pel_icon_stop *stop; /* its first */
-    struct pel_icon_axis u, v;
+    struct pel_plane u, v;            /* of the gradient, in 2^-24 */
 };
 
 struct pel_icon_gradients {

@@ -118,19 +118,9 @@ static uint32_t glyph_of(const struct pel_outline_font_asset *font,
 static int32_t kerning(const struct pel_outline_font_asset *font, uint32_t left,
                        uint32_t right)
 {
-    int32_t low = 0, high = font->pairs;
-    while (left < 256 && right < 256 && low < high) {
-        const int32_t middle = (low + high) / 2;
-        const struct pel_outline_pair *const pair = &font->pair[middle];
-        const uint32_t at = (uint32_t)pair->left << 8 | pair->right;
-        if (at == (left << 8 | right))
-            return pair->x;
-        if (at < (left << 8 | right))
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return 0;
+    const struct pel_outline_pair *const pair = pel_font_pair_find(
+        font->pair, font->pairs, sizeof *font->pair, left, right);
+    return pair ? pair->x : 0;
 }
 
 static void advance(struct pel_outline_line *l)

@@ -271,21 +271,10 @@ static int32_t kerning(const struct pel_font_asset *font,
 {
     if ((uintptr_t)left - (uintptr_t)font->glyph >= font->glyphs * sizeof *left)
         return 0;
-    const ptrdiff_t a = left - font->glyph, b = right - font->glyph;
-    const uint32_t wanted = (uint32_t)a << 8 | (uint32_t)b;
-    int32_t low = 0, high = font->pairs;
-    while (a < 256 && b < 256 && low < high) {
-        const int32_t middle = (low + high) / 2;
-        const struct pel_font_pair *const pair = &font->pair[middle];
-        const uint32_t at = (uint32_t)pair->left << 8 | pair->right;
-        if (at == wanted)
-            return pair->x;
-        if (at < wanted)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return 0;
+    const struct pel_font_pair *const pair = pel_font_pair_find(
+        font->pair, font->pairs, sizeof *font->pair,
+        (uint32_t)(left - font->glyph), (uint32_t)(right - font->glyph));
+    return pair ? pair->x : 0;
 }
 
 const struct pel_font_kind pel_font_smooth_2 = {fits, draw, kerning, 2, 85};

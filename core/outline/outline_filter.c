@@ -1,6 +1,6 @@
 #include "outline_filter.h"
 
-#include "../format/word.h"
+#include "outline_row.h"
 
 /* Sets the next part of the outline in the middle row, perhaps empty: of a span
  * all but its inside, the pixels not at its ends that spans above and below
@@ -109,13 +109,9 @@ bool pel_outline_filter_begin(struct pel_outline_filter *f,
 {
     if (pel_rect_empty(&surface->clip))
         return false;
-    f->paint.fill = filter_fill;
-    f->paint.fast = NULL;
+    f->paint = (struct pel_paint){filter_fill, NULL};
     f->surface = *surface;
-    f->surface.clip.x0--;
-    f->surface.clip.y0--;
-    f->surface.clip.x1++;
-    f->surface.clip.y1++;
+    f->surface.clip = pel_outline_clip(surface);
     f->capacity = spans / 3;
     for (int k = 0; k < 3; k++)
         f->row[k] = (struct pel_outline_spans){memory + k * f->capacity, 0};

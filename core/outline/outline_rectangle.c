@@ -12,9 +12,8 @@ void pel_rectangle_outline(const struct pel_surface *surface,
     PEL_ASSERT(legal);
     if (!legal || pel_rect_empty(&surface->clip))
         return;
-    struct pel_rect r = {pel_first_pixel(from.x), pel_first_pixel(from.y),
-                         pel_first_pixel(to.x), pel_first_pixel(to.y)};
-    r = pel_rect_intersect(&r, &clip);
+    const struct pel_rect box = {from.x, from.y, to.x, to.y};
+    const struct pel_rect r = pel_rect_pixels(&box, &clip);
     if (pel_rect_empty(&r))
         return;
     struct pel_outline_row o;

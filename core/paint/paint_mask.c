@@ -6,11 +6,8 @@ static void put(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
                 const pel_color *colors)
 {
     pel_color *to = pel_address32(s, x, y);
-    for (int32_t i = 0; i < n; i++) {
-        const uint32_t weight = pel_alpha(colors[i]) * pel_blue(to[i]);
-        to[i] = (colors[i] & UINT32_C(0xFFFFFF)) | pel_round_div255(weight)
-                                                       << 24;
-    }
+    for (int32_t i = 0; i < n; i++)
+        to[i] = pel_weighed(colors[i], pel_blue(to[i]));
 }
 
 static void fill(const struct pel_spans *spans, pel_color color)
@@ -70,7 +67,7 @@ enum pel_status pel_masked_init(struct pel_masked *paint,
         return PEL_ERROR_RANGE;
     if (!mask->format || !mask->format->load)
         return PEL_ERROR_FORMAT;
-    if (x < -32768 || x > 32767 || y < -32768 || y > 32767)
+    if (!pel_pixel_legal(x, y))
         return PEL_ERROR_RANGE;
     const struct pel_rect *b = &mask->bounds;
     pel_color_paint_init(&paint->base, colors_of, false);

@@ -72,12 +72,6 @@ static void colors_of(const struct pel_color_paint *paint, int32_t x, int32_t y,
     }
 }
 
-static bool is_inside(const struct pel_rect *r, const struct pel_rect *of)
-{
-    return r->x0 >= of->x0 && r->y0 >= of->y0 && r->x1 <= of->x1 &&
-           r->y1 <= of->y1 && !pel_rect_empty(r);
-}
-
 enum pel_status pel_nine_slice_init(struct pel_nine_slice *paint,
                                     const struct pel_surface *picture,
                                     const struct pel_rect *middle,
@@ -90,7 +84,8 @@ enum pel_status pel_nine_slice_init(struct pel_nine_slice *paint,
         return PEL_ERROR_NULL;
     if (!picture->format || !picture->format->load)
         return PEL_ERROR_FORMAT;
-    if (!is_inside(middle, &picture->bounds) || !pel_bounds_legal(box))
+    if (!pel_rect_inside(middle, &picture->bounds) || pel_rect_empty(middle) ||
+        !pel_bounds_legal(box))
         return PEL_ERROR_RANGE;
     pel_color_paint_init(&paint->base, colors_of, false);
     paint->picture = picture;

@@ -7,14 +7,17 @@ enum { UNIT = 32 };
 
 struct dasher {
     struct pel_pen pen;
-    struct pel_stroker stroker;       /* draws the dashes */
-    int32_t period, start_left, left; /* 1/8192 px: of all dashes and gaps; what
-                                         is left of the present one where a part
-                                         begins, and here */
-    struct pel_point start, at, cut;  /* the latest end on a line, */
-    int32_t length, along;      /* whose length it is, and how far it is */
-    uint8_t start_index, index; /* of the present one; an even one is a dash */
-    bool has_length;            /* this part, up to here */
+    struct pel_stroker stroker; /* draws the dashes */
+    int32_t period;             /* of all dashes and gaps, 1/8192 px */
+    struct pel_point start, at; /* where the part began; the latest point */
+
+    /* The present dash or gap where a part begins, and here: what is left of
+     * it, 1/8192 px, and its index, even for a dash. */
+    int32_t start_left, left;
+    uint8_t start_index, index;
+    bool has_length;       /* this part, up to here */
+    struct pel_point cut;  /* where the latest one ended on a line, */
+    int32_t length, along; /* of this length, so far along it */
 };
 
 PEL_STATIC_ASSERT(pel_pens_fit,
@@ -69,12 +72,6 @@ static PEL_NOINLINE_32 int32_t distance(const struct pel_point *a,
     return (int32_t)root.root;
 }
 
-static bool is_seen(const struct dasher *d, const struct pel_point *p)
-{
-    return pel_max(d->at.y, p->y) >= d->stroker.pen.top &&
-           pel_min(d->at.y, p->y) <= d->stroker.pen.bottom;
-}
-
 /* Sets the end that is so far along the line to p. */
 static PEL_NOINLINE_32 void set_cut(struct dasher *d, const struct pel_point *p)
 {
@@ -117,8 +114,8 @@ static enum pel_status line_to(struct dasher *d, const struct pel_point *p)
     if (d->length == 0)
         return is_dash(d) && !d->has_length ? pass(d, PEL_LINE, p) : PEL_OK;
     d->has_length = true;
-    const enum pel_status status =
-        is_seen(d, p) ? cut_line(d, p) : pass_line(d, p);
+    const bool seen = pel_pen_sees(&d->stroker.pen, d->at.y, p->y);
+    const enum pel_status status = seen ? cut_line(d, p) : pass_line(d, p);
     d->at = *p;
     return status;
 }

@@ -51,6 +51,12 @@ struct pel_pen {
     void *memory; /* for a struct pel_path_state */
 };
 
+/* Is what lies between two heights near the rows? */
+static inline bool pel_pen_sees(const struct pel_pen *pen, int32_t a, int32_t b)
+{
+    return pel_max(a, b) >= pen->top && pel_min(a, b) <= pen->bottom;
+}
+
 /* Draws what the verb does with the points from v[1] on, which are legal. */
 enum pel_status pel_curves_add(struct pel_curves *curves, enum pel_verb verb);
 

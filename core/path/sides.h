@@ -120,10 +120,4 @@ struct pel_pen;
 enum pel_status pel_path_walk(const void *shape, struct pel_pen *pen);
 enum pel_status pel_polyline_walk(const void *shape, struct pel_pen *pen);
 
-/* Can pixel (x, y) be one of a surface? */
-static inline bool pel_pixel_legal(int32_t x, int32_t y)
-{
-    return (((uint32_t)x + 32768u) | ((uint32_t)y + 32768u)) >> 16 == 0;
-}
-
 #endif

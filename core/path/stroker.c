@@ -57,18 +57,12 @@ static PEL_NOINLINE void draw_sides(struct pel_stroker *s,
     pel_border_end(s);
 }
 
-static bool is_seen(const struct pel_stroker *s, int32_t y)
-{
-    return pel_max(s->at.y, y) >= s->pen.top &&
-           pel_min(s->at.y, y) <= s->pen.bottom;
-}
-
 /* Lines that are next to each other are drawn, or not, alike near the point
  * between them: where it is near the rows both are. */
 static void line_to(struct pel_stroker *s, const struct pel_point *p)
 {
     struct pel_stroke_line *const line = &s->line;
-    line->seen = s->half > 0 && is_seen(s, p->y);
+    line->seen = s->half > 0 && pel_pen_sees(&s->pen, s->at.y, p->y);
     if (line->seen)
         set_line(s, p);
     if (!s->has_line)

@@ -34,9 +34,9 @@ struct pel_stroker {
      * where that is on the left of the stroke, else -1. */
     const struct pel_stroke_line *from, *to;
     int32_t side;
-    struct pel_stroke_line last, line, first; /* of this part of the path, the
-                                                 present one and the first,
-                                                 which may be that of a dot */
+    struct pel_stroke_line last, line, first; /* the one before, the present
+                                                 one, and the first of this
+                                                 part, which may be a dot's */
 };
 
 /* What a stroke goes along: walk lets a pen draw the lines of a shape. */

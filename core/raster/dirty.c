@@ -8,14 +8,9 @@ static void dirty_fill(const struct pel_paint *paint,
     int32_t y = spans->y;
     for (int32_t i = 0; i < spans->n; i++, y += spans->step) {
         const struct pel_span *span = &spans->span[i];
-        if (span->x0 >= span->x1)
-            continue;
-        if (pel_rect_empty(b))
-            *b = (struct pel_rect){span->x0, y, span->x1, y + 1};
-        b->x0 = pel_min(b->x0, span->x0);
-        b->y0 = pel_min(b->y0, y);
-        b->x1 = pel_max(b->x1, span->x1);
-        b->y1 = pel_max(b->y1, y + 1);
+        const struct pel_rect row = {span->x0, y, span->x1, y + 1};
+        if (!pel_rect_empty(&row))
+            *b = pel_rect_empty(b) ? row : pel_rect_join(b, &row);
     }
     if (d->inner)
         d->inner->fill(d->inner, spans);

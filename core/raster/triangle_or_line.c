@@ -2,16 +2,10 @@
 #include "triangle.h"
 #include "triangle_sort.h"
 
-static int64_t area_of(const struct pel_point v[3])
-{
-    return pel_product(v[1].x - v[0].x, v[2].y - v[0].y) -
-           pel_product(v[2].x - v[0].x, v[1].y - v[0].y);
-}
-
 int64_t pel_triangle_area(const struct pel_point v[3])
 {
     PEL_ASSERT(pel_points_legal(v, 3));
-    return pel_points_legal(v, 3) ? area_of(v) : 0;
+    return pel_points_legal(v, 3) ? pel_corners_area(v) : 0;
 }
 
 /* The extreme vertices of a triangle without area, 4 first + last; -1 when it
@@ -19,7 +13,7 @@ int64_t pel_triangle_area(const struct pel_point v[3])
 static PEL_NOINLINE_32 int line_of(const struct pel_point v[3])
 {
     int first = 0, last = 0;
-    if (!pel_points_legal(v, 3) || area_of(v) != 0)
+    if (!pel_points_legal(v, 3) || pel_corners_area(v) != 0)
         return -1;
     for (int i = 1; i < 3; i++) {
         if (pel_above(&v[i], &v[first]))

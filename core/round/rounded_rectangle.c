@@ -26,10 +26,8 @@ bool pel_rounded_start(struct pel_rounded_walk *w,
     PEL_HINT(pel_in_subpixels((struct pel_point[2]){from, to}, 2, r->radius));
     if (!legal)
         return false;
-    const struct pel_rect whole = {
-        pel_first_pixel(from.x), pel_first_pixel(from.y), pel_first_pixel(to.x),
-        pel_first_pixel(to.y)};
-    w->visible = pel_rect_intersect(&whole, clip);
+    const struct pel_rect box = {from.x, from.y, to.x, to.y};
+    w->visible = pel_rect_pixels(&box, clip);
     if (pel_rect_empty(&w->visible))
         return false;
     int32_t side = pel_min(to.x - from.x, to.y - from.y);

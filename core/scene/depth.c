@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "pipeline.h"
+#include "certificate.h"
 #include "work.h"
 
 size_t pel_depth_size(const struct pel_rect *bounds, int bits)
@@ -217,4 +217,23 @@ void pel_scene_draw_depth(struct pel_frame *frame,
         pel_scene_draw(frame, surface);
     frame->pass = PEL_PASS_ALL;
     frame->filter = NULL;
+}
+
+void pel_scene_draw_certified(struct pel_frame *frame,
+                              const struct pel_surface *surface,
+                              const struct pel_rect *doubt,
+                              const struct pel_depth *depth)
+{
+    struct pel_depth_entry *const order = frame->order;
+    const uint32_t triangles = frame->triangles;
+    struct pel_surface part = *surface;
+    pel_scene_draw(frame, surface);
+    part.clip = pel_rect_intersect(&part.clip, doubt);
+    if (triangles == 0 || pel_rect_empty(&part.clip))
+        return;
+    frame->order = NULL;
+    frame->triangles = frame->scene->mesh->triangles;
+    pel_scene_draw_depth(frame, &part, depth);
+    frame->order = order;
+    frame->triangles = triangles;
 }

@@ -113,19 +113,12 @@ static PEL_HOT bool meets(int32_t a, int32_t b, int32_t c, int32_t begin,
            pel_min(pel_first_pixel(high), end);
 }
 
-/* Twice, and of either sign. */
-static int64_t area_of(const struct pel_point *at)
-{
-    return pel_product(at[1].x - at[0].x, at[2].y - at[0].y) -
-           pel_product(at[2].x - at[0].x, at[1].y - at[0].y);
-}
-
 /* True when the triangle's box has pixels of the rectangle and the side that is
  * seen is to be drawn. */
 static bool is_shown(const struct pel_frame *frame,
                      const struct pel_point at[3], const struct pel_rect *rect)
 {
-    return pel_side_drawn(frame->scene->cull, area_of(at)) &&
+    return pel_side_drawn(frame->scene->cull, pel_corners_area(at)) &&
            meets(at[0].x, at[1].x, at[2].x, rect->x0, rect->x1) &&
            meets(at[0].y, at[1].y, at[2].y, rect->y0, rect->y1);
 }
@@ -256,7 +249,7 @@ static int64_t set_fan(struct pel_frame *frame, int32_t i)
         t->corner[k] = c;
         t->at[k] = (struct pel_point){(int32_t)c->at[0], (int32_t)c->at[1]};
     }
-    return area_of(t->at);
+    return pel_corners_area(t->at);
 }
 
 /* Draws what is left of a triangle as a fan around its first corner. Rounding
