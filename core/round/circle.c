@@ -1,6 +1,6 @@
 #include "circle.h"
 
-#include "disc_side.h"
+#include "disc.h"
 
 /* A flat circle by disc.c takes 196 bytes of code and 76 of stack more on a
  * Cortex-M0+ (324 of stack; the budget is 256), and a small one 5 % longer on

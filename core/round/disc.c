@@ -1,7 +1,5 @@
 #include "disc.h"
 
-#include "disc_side.h"
-
 /* The first column of the right side of a disc around x, clamped to the clip;
  * the left side ends there. */
 static int32_t split_at(int32_t x, const struct pel_rect *clip)

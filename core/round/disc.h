@@ -1,5 +1,5 @@
 /* Spans of a disc, row by row: the pixels whose centre lies within, exactly.
- * circle.c walks the same sides (disc_side.h) itself.
+ * circle.c walks the same sides itself.
  *
  * A row holds the columns at a distance u from the centre with
  * u^2 <= half_width2. That is radius^2 - v^2 for a circle, v the distance of
@@ -28,6 +28,25 @@ struct pel_disc_sides {
     int64_t d[2]; /* left and right: of the next column outwards */
     int32_t u[2]; /* its distance, 1/256 px */
 };
+
+/* Adds or removes columns of a side until d and u are those of the row; at most
+ * `limit` columns. */
+static PEL_ALWAYS_INLINE void pel_disc_side_adjust(int64_t *d, int32_t *u,
+                                                   int32_t *columns,
+                                                   int32_t limit)
+{
+    if (*d < 0) {
+        for (; *columns > 0 && *d + *u - 128 < 0; --*columns) {
+            *u -= 256;
+            *d += *u + 128;
+        }
+        return;
+    }
+    for (; *d >= 0 && *columns < limit; ++*columns) {
+        *d -= *u + 128;
+        *u += 256;
+    }
+}
 
 struct pel_disc {
     struct pel_disc_sides sides;
