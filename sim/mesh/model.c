@@ -54,7 +54,8 @@ struct pel_quantization quantize_positions(const struct mesh *mesh,
     return quantum_of(&e, shift_max);
 }
 
-struct pel_quantization quantize_uv(const struct mesh *mesh)
+/* For its uv: unsigned numbers, from the least coordinates on. */
+static struct pel_quantization quantize_uv(const struct mesh *mesh)
 {
     struct extent e = {{0}, 0};
     for (int k = 0; k < 2; k++) {

@@ -76,9 +76,6 @@ void model_free(struct model *model);
 struct pel_quantization quantize_positions(const struct mesh *mesh,
                                            int shift_max);
 
-/* For its uv: unsigned numbers, from the least coordinates on. */
-struct pel_quantization quantize_uv(const struct mesh *mesh);
-
 /* The nearest number of a coordinate. */
 long quantize(const struct pel_quantization *quantum, int axis, double value);
 

@@ -25,8 +25,10 @@ static long double area_in_row(long double xa, long double ya, long double xb,
     return (l - xa) * slope + (r - l) * slope * (1 - (l + r) / 2);
 }
 
-long double exact_area_right_of(const struct pel_point *a,
-                                const struct pel_point *b, int32_t x, int32_t y)
+/* The part of pixel (x, y) that lies right of the edge from a to b: positive
+ * when it goes down. The sum over all edges is the area, or the negative. */
+static long double right_of(const struct pel_point *a,
+                            const struct pel_point *b, int32_t x, int32_t y)
 {
     const long double sign = a->y < b->y ? 1 : -1;
     if (a->y > b->y) {
@@ -52,8 +54,8 @@ long double exact_area(const struct pel_point *v, int32_t n, int32_t x,
     long double area = 0;
     *edges = 0;
     for (int32_t i = 0, k = n - 1; i < n; k = i++) {
-        const long double left = exact_area_right_of(&v[k], &v[i], x - 1, y);
-        const long double here = exact_area_right_of(&v[k], &v[i], x, y);
+        const long double left = right_of(&v[k], &v[i], x - 1, y);
+        const long double here = right_of(&v[k], &v[i], x, y);
         area += here;
         *edges += here != 0 && here != left;
     }

@@ -4,14 +4,8 @@
 
 #include "core/pel.h"
 
-/* The part of pixel (x, y) that lies right of the edge from a to b: positive
- * when it goes down. Over the edges of a closed outline that does not cross
- * itself the sum is its area in the pixel, or the negative. */
-long double exact_area_right_of(const struct pel_point *a,
-                                const struct pel_point *b, int32_t x,
-                                int32_t y);
-
-/* The sum, without its sign; *edges is how many cross the pixel. */
+/* That of a closed outline that does not cross itself; *edges is how many edges
+ * cross the pixel. */
 long double exact_area(const struct pel_point *v, int32_t n, int32_t x,
                        int32_t y, int *edges);
 

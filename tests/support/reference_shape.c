@@ -51,8 +51,10 @@ static bool not_before(struct vector a, struct vector b)
     return b.x * a.y - b.y * a.x >= 0;
 }
 
-bool reference_angle_at(struct pel_point center, int32_t from, int32_t to,
-                        int32_t x, int32_t y)
+/* Does the centre of (x, y) come in [from, to) when all directions around
+ * `center` are put in order, clockwise from +x? */
+static bool is_between(struct pel_point center, int32_t from, int32_t to,
+                       int32_t x, int32_t y)
 {
     struct vector at = {center_of(x) - center.x, center_of(y) - center.y};
     const struct pel_point a = reference_direction((uint16_t)from);
@@ -78,14 +80,14 @@ bool reference_sector_at(const struct pel_sector_shape *sector, int32_t x,
                          int32_t y)
 {
     return reference_disc_at(sector->center, sector->radius, x, y) &&
-           reference_angle_at(sector->center, sector->from, sector->to, x, y);
+           is_between(sector->center, sector->from, sector->to, x, y);
 }
 
 bool reference_arc_at(const struct pel_arc_shape *arc, int32_t x, int32_t y)
 {
     return reference_disc_at(arc->center, arc->outer, x, y) &&
            !reference_disc_at(arc->center, arc->inner, x, y) &&
-           reference_angle_at(arc->center, arc->from, arc->to, x, y);
+           is_between(arc->center, arc->from, arc->to, x, y);
 }
 
 bool reference_ellipse_at(const struct pel_ellipse_shape *e, int32_t x,

@@ -12,11 +12,6 @@
 /* 32,768 cos and sin of an angle, each the nearest integer. */
 struct pel_point reference_direction(uint16_t turn);
 
-/* Does the centre of (x, y) come in [from, to) when all directions around
- * `center` are put in order, clockwise from +x? */
-bool reference_angle_at(struct pel_point center, int32_t from, int32_t to,
-                        int32_t x, int32_t y);
-
 bool reference_ring_at(const struct pel_ring_shape *ring, int32_t x, int32_t y);
 bool reference_sector_at(const struct pel_sector_shape *sector, int32_t x,
                          int32_t y);

@@ -38,7 +38,7 @@ static void print_rect(const void *value)
     fprintf(stderr, "pixels %d, %d to %d, %d\n", r->x0, r->y0, r->x1, r->y1);
 }
 
-void shape_keep_rect(const struct pel_rect *r)
+static void keep_rect(const struct pel_rect *r)
 {
     cases_keep(print_rect, r, sizeof *r);
 }
@@ -193,7 +193,7 @@ struct pel_rect shape_window(struct random *r, const struct pel_point *v,
     w.y0 = within(y - random_between(r, 0, size), -32768, 32768 - size) & ~7;
     w.x1 = w.x0 + random_between(r, 1, size);
     w.y1 = w.y0 + random_between(r, 1, size);
-    shape_keep_rect(&w);
+    keep_rect(&w);
     return w;
 }
 
@@ -205,7 +205,7 @@ struct pel_rect shape_bounds(struct random *r, int32_t width, int32_t height)
     b.y0 = random_between(r, -reach, reach) & ~7;
     b.x1 = b.x0 + random_between(r, 1, width);
     b.y1 = b.y0 + random_between(r, 1, height);
-    shape_keep_rect(&b);
+    keep_rect(&b);
     return b;
 }
 
@@ -218,7 +218,7 @@ struct pel_rect shape_clip(struct random *r, const struct pel_rect *window)
     c.y0 = random_between(r, c.y0 - 2, c.y1);
     c.x1 = random_between(r, c.x0, c.x1 + 2);
     c.y1 = random_between(r, c.y0, c.y1 + 2);
-    shape_keep_rect(&c);
+    keep_rect(&c);
     return c;
 }
 

@@ -9,7 +9,6 @@
  * shapes of other origin. Up to 12 points. */
 void shape_keep(const struct pel_point *v, int32_t n);
 void shape_keep_circle(struct pel_point center, int32_t radius);
-void shape_keep_rect(const struct pel_rect *r);
 
 /* The nearest coordinate that is legal. */
 int32_t shape_legal(int64_t v);
