@@ -15,17 +15,11 @@ const struct option_row import_icon_options[] = {
      .low = 1, .high = ICON_SIZE_MAX},
     {"symbolic", NULL,
      "its shapes of one colour take the program's, each with its own opacity, "
-     "as those with currentColor do",
+     "as those with currentColor do; with --icon-size a mask for "
+     "pel_masked_init, in gray4 (default), gray8 or mono1",
      OPTION_FLAG, .offset = offsetof(struct import_options, symbolic)},
     {.help = NULL},
 };
-
-bool import_icon_options_check(const struct import_options *options)
-{
-    return !options->icon_size || !options->symbolic ||
-           message_error("--icon-size and --symbolic: a picture has its own "
-                         "colours: expected one of the two");
-}
 
 static void write_parts(struct import_text *text,
                         const struct pel_icon_asset *icon)
@@ -132,6 +126,16 @@ bool import_icon(const struct import_options *options)
     return done;
 }
 
+/* Its alpha as grey. */
+static void make_mask(struct picture *picture)
+{
+    const size_t n = (size_t)picture->width * (size_t)picture->height;
+    for (size_t i = 0; i < n; i++) {
+        const uint32_t a = pel_alpha(picture->pixels[i]);
+        picture->pixels[i] = PEL_RGB(a, a, a);
+    }
+}
+
 bool import_picture_load(struct picture *picture,
                          const struct import_options *options)
 {
@@ -143,5 +147,7 @@ bool import_picture_load(struct picture *picture,
         return false;
     const bool done = icon_picture(picture, &icon, options->icon_size);
     icon_free(&icon);
+    if (done && options->symbolic)
+        make_mask(picture);
     return done;
 }

@@ -10,6 +10,7 @@
 #include "sim/cli/arguments.h"
 #include "sim/cli/commands.h"
 #include "core/format/argb8888.h"
+#include "core/format/formats.h"
 #include "sim/image/format_names.h"
 #include "sim/cli/message.h"
 #include "sim/render/scene_options.h"
@@ -244,7 +245,7 @@ static bool check(struct import_command *c)
         o->name = import_name(output, c->name);
     return (picture || font || icon || check_mesh(input)) &&
            check_options(&c->scene.given, (unsigned)c->kind | more) &&
-           check_outline(c) && import_icon_options_check(o) &&
+           check_outline(c) &&
            (c->kind == IMPORT_PEL2D || import_name_check(o->name)) &&
            (!o->next || import_name_check(o->next)) && import_codes_check(o);
 }
@@ -277,14 +278,27 @@ static bool import_as_pel2d(struct import_command *c)
     return done;
 }
 
+static bool check_mask(const struct import_options *o,
+                       const struct pel_format *format)
+{
+    const bool grey =
+        format == &pel_gray8 || format == &pel_gray4 || format == &pel_mono1;
+    return (grey && !o->changes.alpha) ||
+           message_error("--icon-size with --symbolic makes a mask: expected "
+                         "--format gray8, gray4 or mono1, without --alpha");
+}
+
 static bool import_as_picture(struct import_command *c)
 {
     struct picture picture;
     const pel_color background = c->scene.settings.camera.background;
-    const struct pel_format *format = c->format ? c->format
+    const struct pel_format *format = c->format             ? c->format
+                                      : c->options.symbolic ? &pel_gray4
                                       : c->options.icon_size
                                           ? &pel_argb8888
                                           : format_find("rgb565_le");
+    if (c->options.symbolic && !check_mask(&c->options, format))
+        return false;
     if (import_has_alpha(format) && background != 0)
         return message_error(
             "--background is for formats without alpha; " IMPORT_ALPHA_FORMAT

@@ -63,11 +63,9 @@ extern const struct option_row import_font_options[];
 #define IMPORT_FONT_OPTIONS \
     "codes|chars|encoding|font-size|bits|hinting|next|outline"
 
-/* Those of an icon: icon_size and symbolic. The check is false, with a message,
- * where both are given. */
+/* Those of an icon: icon_size and symbolic. */
 extern const struct option_row import_icon_options[];
 #define IMPORT_ICON_OPTIONS "icon-size|symbolic"
-bool import_icon_options_check(const struct import_options *options);
 
 /* Write a C file with one const struct and its arrays, and its header beside
  * it, the same for the same input: no date, no path. The textures of a mesh are

@@ -177,7 +177,8 @@ void report_icon(const struct import_options *options,
         icon->strokes
             ? "bytes in flash, for pel_icon_smooth_strokes at any size"
             : "bytes in flash, for pel_icon_smooth at any size");
-    printf("            as pictures (--icon-size), of one size each:\n");
+    printf("            as pictures (--icon-size; masks with --symbolic), of "
+           "one size each:\n");
     put_sizes(icon, "4-bit mask", &pel_gray4);
     put_sizes(icon, "palette4", &import_palettes[0].format);
     put_sizes(icon, "palette8", &import_palettes[1].format);

@@ -99,8 +99,19 @@ red=0,0,255,255,0,0,255,255, clear=0,0,0,0,0,0,0,0,
     -o - 2>&1 | grep -q 'pel_image_asset a_alpha' || fail "no mask"
 "$PEL" import "$work/half.svg" --symbolic --name a -o - |
     grep -q '{0xffff0000, 5, 4, 1, 254, ' || fail "symbolic"
-refused_command "--symbolic: a picture has" import "$work/half.svg" --icon-size 4 \
-    --symbolic -o "$work/x.c"
+for row in "gray4 255,0,255,0," "gray8 255,255,0,0,255,255,0,0," "mono1 192,192,"; do
+    "$PEL" import "$work/half.svg" --icon-size 4 --symbolic --format "${row% *}" \
+        --name a -o - >"$work/c" 2>"$work/err"
+    got=$(awk '/pixels = \{\{/ { p = 1; next } /^\}/ { p = 0 } p' "$work/c" | tr -d ' \n')
+    [ "$got" = "${row#* }" ] || fail "the mask in ${row% *} is $got"
+    [ ! -s "$work/err" ] || fail "a mask: $(cat "$work/err")"
+done
+"$PEL" import "$work/half.svg" --icon-size 4 --symbolic --name a -o - |
+    grep -q '/\* gray4 \*/' || fail "a mask is not gray4"
+for option in "--format argb8888" "--alpha gray4"; do
+    refused_command "--symbolic makes a mask: expected" import "$work/half.svg" \
+        --icon-size 4 --symbolic $option -o "$work/x.c"
+done
 refused_command "--icon-size is for icons; this is a picture" import \
     sim/scenes/face.ppm --icon-size 4 -o "$work/x.c"
 refused_command "--format is for pictures and textures; this is an icon" import \
