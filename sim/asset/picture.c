@@ -187,6 +187,7 @@ bool import_picture(const struct import_options *options,
                 change(picture, options, format, &to) &&
                 import_text_open(&text, options,
                                  options->changes.compress ? "runs" : "image");
+    text.format = picture_format_name(format);
     if (done && !(picture_write(
                       &text, picture, format, &to.table,
                       format->id == PEL_FORMAT_MONO1_PAGES ? NULL : &in_runs) &&

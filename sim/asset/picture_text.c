@@ -9,7 +9,7 @@
 #include "sim/image/format_names.h"
 #include "sim/image/runs.h"
 
-static const char *name_of(const struct pel_format *format)
+const char *picture_format_name(const struct pel_format *format)
 {
     if (import_has_palette(format))
         return format->bits == 4 ? "palette4" : "palette8";
@@ -56,7 +56,7 @@ static void write_head(struct import_text *text, const char *kind,
     import_struct_begin(text);
     fprintf(out, "    PEL_%s_MAGIC,\n    PEL_%s_VERSION,\n", kind, kind);
     fprintf(out, "    %u, /* %s */\n", surface->format->id,
-            name_of(surface->format));
+            picture_format_name(surface->format));
     fprintf(out, "    %d,\n    %d,\n", (int)surface->bounds.x1,
             (int)surface->bounds.y1);
 }

@@ -11,6 +11,9 @@ struct picture_table {
     size_t count;
 };
 
+/* As --format takes it. */
+const char *picture_format_name(const struct pel_format *format);
+
 /* Writes the asset with the name of text->options, and the table if it has one.
  * *in_runs becomes what words and rows of its runs take in flash; NULL: it has
  * none. False, with a message, where colors are too many or memory is short. */

@@ -87,6 +87,7 @@ bool import_text_open(struct import_text *text,
 {
     text->options = options;
     text->kind = kind;
+    text->format = NULL;
     text->palette = text->alpha = text->shading = false;
     text->mappings = 0;
     text->scratch[0] = 0;
@@ -206,6 +207,10 @@ static void print_header(FILE *out, const struct import_text *text)
     fprintf(out, "#ifndef PEL_ASSET_%s_H\n#define PEL_ASSET_%s_H\n\n", name,
             name);
     fprintf(out, "#include <pel/pel.h>\n\n");
+    if (text->format)
+        fprintf(out, "/* Its format: &%s%s. */\n",
+                text->palette ? name : "pel_",
+                text->palette ? "_palette.format" : text->format);
     print_declaration(out, text);
     if (text->scratch[0])
         print_scratch(out, text);

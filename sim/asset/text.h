@@ -11,13 +11,14 @@ struct import_options;
 struct import_text {
     struct output output;
     const struct import_options *options;
-    const char *kind;  /* "image": struct pel_image_asset */
-    bool palette;      /* of a picture: struct pel_palette, NAME_palette */
-    bool alpha;        /* of an image: another one, NAME_alpha */
-    bool shading;      /* of a mesh: struct pel_shading *, NAME_shading */
-    int scratch[2];    /* of an icon: sides in a row, 1,024ths of its width */
-    unsigned mappings; /* of its textures: NAME_mapping and NAME_span */
-    int column;        /* of the line that is being written */
+    const char *kind;   /* "image": struct pel_image_asset */
+    const char *format; /* of a picture, "gray4": pel_gray4; else NULL */
+    bool palette;       /* of a picture: struct pel_palette, NAME_palette */
+    bool alpha;         /* of an image: another one, NAME_alpha */
+    bool shading;       /* of a mesh: struct pel_shading *, NAME_shading */
+    int scratch[2];     /* of an icon: sides in a row, 1,024ths of its width */
+    unsigned mappings;  /* of its textures: NAME_mapping and NAME_span */
+    int column;         /* of the line that is being written */
 };
 
 enum { IMPORT_NAME = 128 }; /* bytes of a name */

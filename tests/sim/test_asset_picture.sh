@@ -68,6 +68,7 @@ done
 $CC -std=c99 $WARNINGS -I. $INCLUDE -c "$work/soft.c" -o "$work/soft.o" || fail "soft.c"
 grep -qx 'extern const struct pel_image_asset soft_alpha;' "$work/soft.h" ||
     fail "soft.h: $(cat "$work/soft.h")"
+grep -qxF '/* Its format: &pel_rgb565_le. */' "$work/soft.h" || fail "soft.h: no format"
 grep -qx '         2  bytes in flash: 4 x 1 pixels' "$work/out" || fail "$(cat "$work/out")"
 
 # Palettes: all colours where they fit; else some that stand for all.
@@ -80,6 +81,7 @@ refused_command "has more than 256 colours: expected a picture with fewer, --pal
     import "$work/300.ppm" --format palette8 -o "$work/x.c"
 "$PEL" import "$work/300.ppm" --format palette8 --palette 256 -o "$work/x.c" \
     >"$work/out" || fail "300 colours are refused"
+grep -qxF '/* Its format: &x_palette.format. */' "$work/x.h" || fail "x.h: no format"
 shown() { # FILE NUMBER OPTIONS: mean and worst error of a channel, 0 to 255
     file=$1 n=$2
     shift 2
