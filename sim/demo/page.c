@@ -287,7 +287,7 @@ static void print_figures(FILE *page, const char *table, const char *name)
     fprintf(page,
             "On a Cortex-M4: %ld KB of flash, %ld KB of RAM and stack; "
             "%ld thousand instructions for the first frame, %ld for a step",
-            (cell[1] + 512) / 1024, (cell[2] + cell[4] + 512) / 1024, cell[7],
+            (cell[1] + 500) / 1000, (cell[2] + cell[4] + 500) / 1000, cell[7],
             cell[8]);
 }
 
