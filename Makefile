@@ -53,9 +53,10 @@ $(if $(filter board window device,$(MAKECMDGOALS)),$(if \
     $(filter-out $(EXAMPLE_NAMES),$(EXAMPLE)),$(error EXAMPLE=$(EXAMPLE): expected \
     one of $(EXAMPLE_NAMES), or a program of yours in examples/$(EXAMPLE).c)))
 # Who runs one wants to see it, not how it is compiled.
-ifneq ($(filter board window device,$(MAKECMDGOALS)),)
+ifneq ($(filter board window device demo,$(MAKECMDGOALS)),)
 .SILENT:
-$(if $(wildcard $(BUILD)/board $(BUILD)/window),,$(info what it takes is compiled now, \
+$(if $(wildcard $(if $(filter demo,$(MAKECMDGOALS)),$(BUILD)/pel, \
+    $(BUILD)/board $(BUILD)/window)),,$(info what it takes is compiled now, \
     which may take two minutes))
 endif
 example_sources = examples/$1.c $(wildcard examples/$1/*.c) \
