@@ -25,7 +25,7 @@ static bool parse_palette(const char *option, const char *text, void *input)
 const struct option_row import_change_options[] = {
     {"key", "COLOUR", "of a picture, pixels of this #rrggbb become clear",
      OPTION_COLOR, AT(key), .flag = offsetof(struct import_changes, has_key)},
-    {"resize", "WxH", "of a picture, its new size, by a filter of Lanczos",
+    {"resize", "WxH", "of a picture, its new size, by a Lanczos filter",
      OPTION_INTEGER, AT(size), .n = 2, .separator = 'x', .low = 1,
      .high = PICTURE_SIZE_MAX,
      .flag = offsetof(struct import_changes, has_size),

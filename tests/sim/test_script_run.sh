@@ -246,6 +246,9 @@ said err 'pel: standard output cannot be written: No space left on device'
 status 0 "$PEL" --help
 status 0 "$PEL" run --help
 said out 'Usage: pel run'
+for command in run render view compare import info explain demo console input; do
+    "$PEL" $command --help | grep -B 1 '^  *$' && fail "$command --help: a line of spaces"
+done
 
 # Compare.
 printf 'P3 2 2 255  0 0 0  10 10 10  20 20 20  30 30 30' >"$work/a.ppm"
