@@ -112,6 +112,13 @@ static void put_font(const struct font_arrays *font)
         font->summary);
 }
 
+/* Of a font of a desktop: more than most firmware has letters for. */
+static void put_less(const struct import_options *options, uint32_t glyphs)
+{
+    if (glyphs > 256 && !options->codes && !options->chars)
+        printf("            --codes 32-126 would keep ASCII alone\n");
+}
+
 void report_font(const struct import_options *options,
                  const struct pel_font_asset *font)
 {
@@ -126,6 +133,7 @@ void report_font(const struct import_options *options,
         font->kind ? "runs of coverage, equal glyphs once"
                    : "rows of glyphs, equal ones once",
         "places and sizes of glyphs", what});
+    put_less(options, font->glyphs);
 }
 
 void report_outlines(const struct import_options *options,
@@ -141,6 +149,7 @@ void report_outlines(const struct import_options *options,
                                    font->ranges * sizeof *font->range,
                                    "points of glyphs, equal ones once",
                                    "places and advances of glyphs", what});
+    put_less(options, font->glyphs);
 }
 
 /* A picture of each size, of pixels in that format. */

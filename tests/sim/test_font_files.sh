@@ -135,6 +135,7 @@ as_told() { # STRUCT OF THE ASSET, TABLE; the asset is asset.c
 "$PEL" import "$dir/hand.bdf" --name asset -o "$dir/asset.c" >"$dir/table" ||
     fail "no table"
 as_told pel_font_asset "$dir/table"
+grep -q -- --codes "$dir/table" && fail "--codes for 3 glyphs"
 
 # Outlines: what has none is refused, and so is what makes pictures of them.
 outlines=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf
@@ -148,6 +149,10 @@ if "$PEL" import "$outlines" --outline --name asset --chars 'aV?' \
             "$outlines" --outline $option
     done
     as_told pel_outline_font_asset "$dir/table"
+    for way in --outline '--font-size 9'; do
+        "$PEL" import "$outlines" $way -o "$dir/all.c" |
+            grep -q -- '--codes 32-126 would' || fail "all of a font: no word of --codes"
+    done
 else
     grep -q libfreetype-dev "$dir/err" || fail "$outlines: $(cat "$dir/err")"
 fi
