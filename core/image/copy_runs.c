@@ -69,18 +69,13 @@ static void put(const struct copy *c, const struct pel_span *span, bool is_run)
         put_words(c, *span);
 }
 
-static uint32_t count_at(const uint8_t *word, int32_t bytes)
-{
-    return word[0] | (bytes > 1 ? (uint32_t)word[1] << 8 : 0);
-}
-
 /* Draws a row of `left` words. x is below 2^17, and grows by 32,767 at most. */
 static void copy_row(struct copy *c, const uint8_t *p, uint32_t left)
 {
     const int32_t bytes = c->bytes;
     for (int32_t x = c->words.bounds.x0, end; x < c->visible.x1 && left > 0;
          x = end) {
-        const uint32_t count = count_at(p, bytes);
+        const uint32_t count = p[0] | (bytes > 1 ? (uint32_t)p[1] << 8 : 0);
         const uint32_t n = count & 1 ? 1 : count >> 1;
         if (count < 2 || n >= left)
             return;
@@ -100,11 +95,6 @@ static void copy_row(struct copy *c, const uint8_t *p, uint32_t left)
 static bool same_pixels(const struct pel_format *a, const struct pel_format *b)
 {
     return a->id == b->id && a->id < 128 && a->bits >= 8 && a->pack(0) == 0;
-}
-
-static uint32_t row_at(const struct pel_runs_asset *s, int32_t y)
-{
-    return s->rows16 ? s->rows16[y] : s->rows32[y];
 }
 
 void pel_copy_runs(const struct pel_surface *surface,
@@ -133,7 +123,8 @@ void pel_copy_runs(const struct pel_surface *surface,
     c.as_they_are = alpha == 255 && same_pixels(f, surface->format);
     c.visible = (struct pel_span){r.x0, r.x1};
     for (c.y = r.y0; c.y < r.y1; c.y++) {
-        const uint32_t at = row_at(s, c.y - copy->y);
+        const int32_t y = c.y - copy->y;
+        const uint32_t at = s->rows16 ? s->rows16[y] : s->rows32[y];
         c.words.bounds.x0 = copy->x;
         if (at < s->size)
             copy_row(&c, (const uint8_t *)s->words + at * (size_t)c.bytes,

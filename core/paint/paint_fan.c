@@ -116,13 +116,6 @@ static PEL_NOINLINE_32 int32_t pixels_beside(const struct pel_point *ray,
     return count;
 }
 
-static int32_t pixels_inside(const struct pel_fan_triangle *t,
-                             const struct pel_point *d, int32_t n)
-{
-    n = pixels_beside(&t->from, d, 0, n);
-    return pixels_beside(&t->past, d, 1 - t->closed, n);
-}
-
 /* Sets *i to the triangle of the first pixel, searched from *i on; returns how
  * many pixels stay in it, 0 when there is none. */
 static int32_t find_triangle(const struct pel_fan *p, const struct part *r,
@@ -131,7 +124,9 @@ static int32_t find_triangle(const struct pel_fan *p, const struct part *r,
     const struct pel_point d = {pel_pixel_center(r->x) - p->hub.x,
                                 pel_pixel_center(r->y) - p->hub.y};
     for (int32_t tries = p->n; tries > 0; tries--) {
-        const int32_t count = pixels_inside(&p->triangles[*i], &d, r->n);
+        const struct pel_fan_triangle *const t = &p->triangles[*i];
+        int32_t count = pixels_beside(&t->from, &d, 0, r->n);
+        count = pixels_beside(&t->past, &d, 1 - t->closed, count);
         if (count > 0)
             return count;
         *i = *i + 1 < p->n ? *i + 1 : 0;

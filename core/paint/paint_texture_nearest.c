@@ -15,20 +15,15 @@ static PEL_NOINLINE int32_t in_side(uint64_t *at, int32_t size, int wrap)
     return in_picture(at, pel_texture_side_of(size, wrap));
 }
 
-static PEL_ALWAYS_INLINE int32_t column_of(uint64_t *at,
-                                           const struct pel_texture *p,
-                                           struct pel_texture_side across)
+/* The column and the line of a texel. */
+static PEL_ALWAYS_INLINE struct pel_point texel_at(
+    struct pel_texture_axes *a, const struct pel_texture *p,
+    struct pel_texture_side across, struct pel_texture_side down)
 {
-    return SIDES_ANEW ? in_side(at, p->width, p->wrap_u)
-                      : in_picture(at, across);
-}
-
-static PEL_ALWAYS_INLINE int32_t line_of(uint64_t *at,
-                                         const struct pel_texture *p,
-                                         struct pel_texture_side down)
-{
-    return SIDES_ANEW ? in_side(at, p->height, p->wrap_v)
-                      : in_picture(at, down);
+    if (SIDES_ANEW)
+        return pel_point_of(in_side(&a->u, p->width, p->wrap_u),
+                            in_side(&a->v, p->height, p->wrap_v));
+    return pel_point_of(in_picture(&a->u, across), in_picture(&a->v, down));
 }
 
 static void outer_run(const struct pel_texture *p, struct pel_texture_axes *a,
@@ -39,9 +34,8 @@ static void outer_run(const struct pel_texture *p, struct pel_texture_axes *a,
     const struct pel_texture_side down =
         pel_texture_side_of(p->height, p->wrap_v);
     for (; n > 0; n--, pel_texture_axes_step(a, p)) {
-        const int32_t u = column_of(&a->u, p, across);
-        const int32_t v = line_of(&a->v, p, down);
-        *out++ = pel_texel(p, p->kind, u, v);
+        const struct pel_point at = texel_at(a, p, across, down);
+        *out++ = pel_texel(p, p->kind, at.x, at.y);
     }
 }
 
@@ -198,8 +192,8 @@ static PEL_NOINLINE void copy_outer_run(const struct copy *c,
     const struct pel_texture_side down =
         pel_texture_side_of(p->height, p->wrap_v);
     for (pel_word16 *out = c->out; out != c->end; out++) {
-        *out = texel16(p->memory, p->stride, column_of(&a->u, p, across),
-                       line_of(&a->v, p, down));
+        const struct pel_point at = texel_at(a, p, across, down);
+        *out = texel16(p->memory, p->stride, at.x, at.y);
         pel_texture_axes_step(a, p);
     }
 }

@@ -88,12 +88,6 @@ static int32_t move_of(const struct pel_factors *f, int32_t i, int k)
     return (int32_t)((int64_t)(all + ((UINT64_C(1) << 3 * k) >> 1)) >> 3 * k);
 }
 
-static bool is_seen(const struct pel_curves *w, int n)
-{
-    const struct pel_rect box = pel_points_box(w->v, n + 1);
-    return box.y1 >= w->pen->top && box.y0 <= w->pen->bottom;
-}
-
 static PEL_NOINLINE void set_point(struct pel_curves *w)
 {
     w->to.x = w->v[0].x + move_of(&w->x, w->i, w->k);
@@ -105,7 +99,8 @@ static PEL_NOINLINE void set_curve(struct pel_curves *w, int n)
     w->x = factors_of(&w->v[0].x, n);
     w->y = factors_of(&w->v[0].y, n);
     w->k = parts_of(&w->x, &w->y, w->tolerance ? w->tolerance : 16);
-    w->seen = is_seen(w, n);
+    const struct pel_rect box = pel_points_box(w->v, n + 1);
+    w->seen = box.y1 >= w->pen->top && box.y0 <= w->pen->bottom;
 }
 
 static enum pel_status draw_curve(struct pel_curves *w, int n)
