@@ -67,7 +67,7 @@ static void print_keys(void)
 {
     fputs("F1          these keys\n"
           "F2 F3       smaller, larger pixels\n"
-          "F4          how often each pixel was painted\n"
+          "F4          how often each pixel is painted, from then on\n"
           "F5 F6       bands, a box around each flush\n"
           "F7          a magnifier at the pointer\n"
           "F8          write the picture to a file\n",

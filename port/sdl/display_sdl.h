@@ -15,7 +15,7 @@
  *
  *     F1          prints these keys
  *     F2 F3       smaller, larger pixels
- *     F4          how often each pixel was painted for its last flush
+ *     F4          how often each pixel is painted for a flush, from then on
  *     F5          bands: every other flush is brighter
  *     F6          a box around each flush of the last frame
  *     F7          a magnifier at the pointer
