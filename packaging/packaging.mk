@@ -23,13 +23,13 @@ $(ONE)/pel.h: packaging/amalgamate.awk $(wildcard core/*.h core/*/*.h)
 
 # Who publishes the library knows its address: URL.
 ARDUINO := $(BUILD)/arduino/Pel
-arduino: amalgamation ## a library of the Arduino IDE with drivers and an example: build/arduino/Pel
+arduino: amalgamation ## a library of the Arduino IDE with drivers and examples: build/arduino/Pel
 	rm -rf $(ARDUINO)
 	mkdir -p $(ARDUINO)/src/drivers $(ARDUINO)/examples
 	cp -R $(ONE)/pel.c $(ONE)/pel.h $(ONE)/pel $(ARDUINO)/src
 	cp $(DRIVERS) $(call without_linux,$(wildcard drivers/*.h)) \
 	    $(ARDUINO)/src/drivers
-	cp -R examples/board $(ARDUINO)/examples
+	cp -R examples/board examples/panel $(ARDUINO)/examples
 	cp LICENSE $(ARDUINO)
 	sed 's/@VERSION@/$(PEL_VERSION)/' packaging/library.properties \
 	    >$(ARDUINO)/library.properties

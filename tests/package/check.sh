@@ -143,6 +143,10 @@ g++ -std=gnu++11 -Wall -Wextra -Werror -I"$arduino/src" \
     "$work/sketch" >"$work/sketch.txt" &&
     $CC $INCLUDE examples/board.c "$LIBPEL" -o "$work/board" &&
     "$work/board" | diff - "$work/sketch.txt" || fail "board.ino"
+: >"$work/SPI.h"
+g++ -std=gnu++11 -Wall -Wextra -Werror -I"$arduino/src" -I"$work" \
+    -I"$arduino/examples/panel" "$here/arduino_panel.cpp" "$work"/arduino/*.o \
+    -Wl,--gc-sections -o "$work/panel_sketch" && "$work/panel_sketch" || fail "panel.ino"
 
 # an int of 16 bits is told, not compiled
 $CC -U__INT_MAX__ -D__INT_MAX__=32767 $INCLUDE -fsyntax-only "$here/main.c" 2>&1 |
