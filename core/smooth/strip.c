@@ -224,11 +224,9 @@ static PEL_NOINLINE void cover_any(const struct pel_smooth_side *k, int32_t u,
 /* The height of the arc at a column's boundary, from the near end of its strip,
  * which is a row high; of a circle of 40 px or more. */
 static PEL_ALWAYS_INLINE int32_t arc_height(const struct pel_smooth_strip *s,
-                                            int32_t u, int32_t *shift)
+                                            int32_t u)
 {
-    const uint32_t r = (uint32_t)s->circle->radius;
-    const int32_t v =
-        pel_smooth_root_at(r * r, (uint32_t)u >> 8, shift) - s->near;
+    const int32_t v = pel_smooth_width_at(s->circle, u >> 8) - s->near;
     return pel_max(0, pel_min(v, 65536));
 }
 
@@ -239,8 +237,7 @@ static PEL_NOINLINE void cover_steep(const struct pel_smooth_side *k, int32_t u,
     const struct pel_smooth_strip *const s = k->strip;
     const int32_t end = s->at_near - u, w = u - s->at_far;
     const int32_t step = k->left ? -1 : 1;
-    int32_t shift = 0;
-    const int32_t v = arc_height(s, u, &shift);
+    const int32_t v = arc_height(s, u);
     uint32_t area = (uint32_t)(65536 - w) >> 1;
     area += (uint32_t)(w >> 1) * ((uint32_t)(v + 65536) >> 1) >> 16;
     put_area(area + pel_smooth_large_bulge(s->bulge, 65536 - v), k->flip, to);
@@ -279,12 +276,11 @@ static PEL_ALWAYS_INLINE void cover_flat(const struct pel_smooth_side *k,
     const int32_t step = k->left ? -1 : 1, end = s->at_near;
     const uint32_t bulge = way ? 0 : s->bulge, flip = k->flip;
     const int32_t w = u - s->at_far;
-    int32_t shift = 0;
-    int32_t v0 = way ? line_height(way) : arc_height(s, u, &shift);
+    int32_t v0 = way ? line_height(way) : arc_height(s, u);
     const uint32_t area = piece_area(bulge, w, 65536, v0);
     put_area(((uint32_t)(65536 - w) >> 1) + area, flip, to);
     for (u += 65536; u < end; u += 65536) {
-        const int32_t v1 = way ? line_height(way) : arc_height(s, u, &shift);
+        const int32_t v1 = way ? line_height(way) : arc_height(s, u);
         put_area(((uint32_t)(v0 + v1) >> 2) + (bulge >> 8), flip, to += step);
         v0 = v1;
     }

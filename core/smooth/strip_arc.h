@@ -22,17 +22,19 @@ static inline uint32_t pel_smooth_root(uint32_t n)
     return (q << 10) + (uint32_t)((rest >> 4) * (int32_t)(r >> 2) >> 16);
 }
 
-/* How far from one axis a circle is at a distance from the other that is less
- * than its radius, whose square has 32 bits. Further out no smaller shift is
- * needed. */
-static PEL_ALWAYS_INLINE int32_t pel_smooth_root_at(uint32_t square,
-                                                    uint32_t distance,
-                                                    int32_t *shift)
+/* How far from one axis a circle of less than 256 px is at a distance from the
+ * other. */
+static PEL_INLINE_LOOP PEL_UNUSED int32_t
+pel_smooth_width_at(const struct pel_smooth_circle *circle, int32_t distance)
 {
-    uint32_t n = (square - distance * distance) << 2 * *shift;
+    const uint32_t r = (uint32_t)circle->radius, d = (uint32_t)distance;
+    int32_t shift = 2;
+    if (distance >= circle->radius)
+        return 0;
+    uint32_t n = r * r - d * d;
     for (; n < UINT32_C(1) << 30; n <<= 2)
-        ++*shift;
-    return (int32_t)(pel_smooth_root(n) >> (2 + *shift));
+        shift++;
+    return (int32_t)(pel_smooth_root(n) >> shift);
 }
 
 /* From 40 px on l is what a piece has along the axis that the strip's arc goes

@@ -41,14 +41,8 @@ static void begin_strip(struct pel_smooth_strip *s)
 static PEL_ALWAYS_INLINE int32_t width_at(const struct pel_smooth_strip *s,
                                           int32_t height)
 {
-    const struct pel_smooth_circle *const c = s->circle;
-    const uint32_t r = (uint32_t)c->radius;
-    int32_t shift = 0;
-    if (s->bulge == 0)
-        return pel_smooth_arc_at(c, height >> 8, false);
-    return height < c->radius * 256
-               ? pel_smooth_root_at(r * r, (uint32_t)height >> 8, &shift)
-               : 0;
+    return s->bulge ? pel_smooth_width_at(s->circle, height >> 8)
+                    : pel_smooth_arc_at(s->circle, height >> 8, false);
 }
 
 /* Moves the strip of a circle on by a row.
