@@ -126,8 +126,8 @@ struct pel_smooth_sides {
     /* The ith other side in row y; false: there is none. */
     bool (*other)(struct pel_smooth_outline *outline, int32_t y, int32_t i,
                   struct pel_smooth_crossing *crossing);
-    /* Moves it on from the row above: it crosses both as a whole. NULL: it must
-     * be found anew. */
+    /* Moves it on from the row above: it crosses both as a whole. NULL: none
+     * does so, or all are found anew in each row (pel_smooth_find_end). */
     void (*down)(struct pel_smooth_outline *outline, int32_t i,
                  struct pel_smooth_crossing *crossing);
 };

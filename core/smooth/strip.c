@@ -197,9 +197,11 @@ static PEL_NOINLINE uint32_t all_bulge(const struct pel_smooth_strip *s)
     return bulge_of(s, &all);
 }
 
-static inline void put_area(uint32_t area, uint32_t flip, uint8_t *to)
+static PEL_ALWAYS_INLINE void put_area(uint32_t area,
+                                       const struct pel_smooth_side *k,
+                                       uint8_t *to)
 {
-    *to = pel_smooth_coverage((area ^ flip) + (flip & 32769));
+    *to = pel_smooth_coverage_of((area ^ k->flip) + k->more);
 }
 
 /* Columns of any kind of side, which leaves the first one at u. */
@@ -207,14 +209,14 @@ static PEL_NOINLINE void cover_any(const struct pel_smooth_side *k, int32_t u,
                                    uint8_t *to)
 {
     const struct pel_smooth_strip *const s = k->strip;
-    const int32_t step = k->left ? -1 : 1;
+    const int32_t step = k->step;
     uint32_t whole = (uint32_t)(s->at_far - u) >> 1;
     int32_t u0 = s->at_far, v0 = s->far;
     for (int32_t n = k->bytes; n > 0; n--, to += step) {
         const int32_t u1 = next_boundary(s, u);
         const int32_t v1 = u1 == s->at_near ? s->near : height_at(s, u1);
         const struct pel_smooth_arc_piece p = {u0, v0, u1, v1};
-        put_area(whole + chord_area(s, &p) + bulge_of(s, &p), k->flip, to);
+        put_area(whole + chord_area(s, &p) + bulge_of(s, &p), k, to);
         u = u0 = u1;
         v0 = v1;
         whole = 0;
@@ -236,13 +238,13 @@ static PEL_NOINLINE void cover_steep(const struct pel_smooth_side *k, int32_t u,
 {
     const struct pel_smooth_strip *const s = k->strip;
     const int32_t end = s->at_near - u, w = u - s->at_far;
-    const int32_t step = k->left ? -1 : 1;
+    const int32_t step = k->step;
     const int32_t v = arc_height(s, u);
     uint32_t area = (uint32_t)(65536 - w) >> 1;
     area += (uint32_t)(w >> 1) * ((uint32_t)(v + 65536) >> 1) >> 16;
-    put_area(area + pel_smooth_large_bulge(s->bulge, 65536 - v), k->flip, to);
+    put_area(area + pel_smooth_large_bulge(s->bulge, 65536 - v), k, to);
     area = (uint32_t)(end >> 1) * ((uint32_t)v >> 1) >> 16;
-    put_area(area + pel_smooth_large_bulge(s->bulge, v), k->flip, to + step);
+    put_area(area + pel_smooth_large_bulge(s->bulge, v), k, to + step);
 }
 
 /* What is below a piece that goes along for w and down from v0 to v1. */
@@ -273,20 +275,20 @@ static PEL_ALWAYS_INLINE void cover_flat(const struct pel_smooth_side *k,
                                          struct way *way)
 {
     const struct pel_smooth_strip *const s = k->strip;
-    const int32_t step = k->left ? -1 : 1, end = s->at_near;
-    const uint32_t bulge = way ? 0 : s->bulge, flip = k->flip;
+    const int32_t end = s->at_near;
+    const uint32_t bulge = way ? 0 : s->bulge;
     const int32_t w = u - s->at_far;
     int32_t v0 = way ? line_height(way) : arc_height(s, u);
     const uint32_t area = piece_area(bulge, w, 65536, v0);
-    put_area(((uint32_t)(65536 - w) >> 1) + area, flip, to);
+    put_area(((uint32_t)(65536 - w) >> 1) + area, k, to);
     for (u += 65536; u < end; u += 65536) {
         const int32_t v1 = way ? line_height(way) : arc_height(s, u);
-        put_area(((uint32_t)(v0 + v1) >> 2) + (bulge >> 8), flip, to += step);
+        put_area(((uint32_t)(v0 + v1) >> 2) + (bulge >> 8), k, to += k->step);
         v0 = v1;
     }
-    put_area(piece_area(bulge, end - (u - 65536), v0, 0), flip, to += step);
+    put_area(piece_area(bulge, end - (u - 65536), v0, 0), k, to += k->step);
     if (u == end)
-        put_area(0, flip, to + step);
+        put_area(0, k, to + k->step);
 }
 
 static PEL_NOINLINE void cover_arc(const struct pel_smooth_side *k, int32_t u,
@@ -322,11 +324,12 @@ static inline void cover_some(const struct pel_smooth_side *k, int32_t u,
         cover_arc(k, u, to);
 }
 
-void pel_smooth_side_cover(const struct pel_smooth_side *k, int32_t u,
-                           uint8_t *to)
+void pel_smooth_side_cover(const struct pel_smooth_side *k, uint8_t *to)
 {
     const struct pel_smooth_strip *const s = k->strip;
-    if (k->left)
+    const int32_t x = pel_smooth_column(k->center, s->at_far);
+    const int32_t u = (x * 256 - k->center) * 256;
+    if (k->step < 0)
         to += k->bytes - 1;
     if (s->at_near - u > 65536) {
         cover_some(k, u + 65536, to);
@@ -336,9 +339,9 @@ void pel_smooth_side_cover(const struct pel_smooth_side *k, int32_t u,
                     ((uint32_t)(s->at_near - s->at_far) >> 2) + (s->bulge >> 8);
     if (s->circle && s->bulge == 0)
         area += all_bulge(s);
-    put_area(area, k->flip, to);
+    put_area(area, k, to);
     if (k->bytes > 1)
-        put_area(0, k->flip, to + (k->left ? -1 : 1));
+        put_area(0, k, to + k->step);
 }
 
 #endif

@@ -114,10 +114,15 @@ static inline struct pel_span pel_smooth_crossed(
     return span;
 }
 
-/* 0..255 of a sum of areas, which is off by less than 64. */
+/* 0..255 of a sum of areas and 64: it is off by less than that. */
+static inline uint8_t pel_smooth_coverage_of(uint32_t sum)
+{
+    return (uint8_t)(((sum & 0xFFFF) * 255 + 16384 - 64 * 255) >> 15);
+}
+
 static inline uint8_t pel_smooth_coverage(uint32_t sum)
 {
-    return (uint8_t)((((sum + 64) & 0xFFFF) * 255 + 16384 - 64 * 255) >> 15);
+    return pel_smooth_coverage_of(sum + 64);
 }
 
 /* Goes on to the piece of the column whose inner boundary is at u: from that of
@@ -147,13 +152,13 @@ struct pel_smooth_side {
                                             its own backwards; or NULL */
     const uint8_t *at; /* a byte of coverage for each column that it crosses, */
     int32_t bytes;     /* or none: they are out of sight */
-    uint32_t flip;     /* all ones where what lies beyond the arc is covered */
-    bool left, rising; /* as of a crossing (outline.h) */
+    uint32_t flip; /* all ones where what lies beyond the arc is covered, .. */
+    uint32_t more; /* .. and what is added to the flipped area of a pixel */
+    int32_t step;  /* to the next column from its axis: 1, or -1 on the left */
+    bool rising;   /* as of a crossing (outline.h) */
 };
 
-/* Writes the coverage of all columns of a side, the first of which, from its
- * axis, begins at u. */
-void pel_smooth_side_cover(const struct pel_smooth_side *side, int32_t u,
-                           uint8_t *to);
+/* Writes the coverage of all columns of a side. */
+void pel_smooth_side_cover(const struct pel_smooth_side *side, uint8_t *to);
 
 #endif

@@ -15,6 +15,8 @@ struct sides {
     const struct pel_rect *seen; /* or NULL: all of it */
     int32_t row;                 /* of what follows */
     int32_t n, crossings;
+    int32_t mirror; /* of four sides, if the last two are the images of the
+                       first: columns of both add up to this; or INT32_MIN */
     struct pel_smooth_side side[MOST];
     struct pel_smooth_crossing crossing[MOST];
 };
@@ -69,11 +71,6 @@ static void move_down(struct pel_smooth_strip *s, bool below)
         set_bulge(s);
 }
 
-static bool is_whole(const struct pel_smooth_crossing *c)
-{
-    return c->strip.far - c->strip.near == 65536;
-}
-
 /* Puts a side where it is from left to right. */
 static void place(struct sides *s, const struct pel_smooth_crossing *c,
                   const struct pel_smooth_strip *strip)
@@ -86,7 +83,8 @@ static void place(struct sides *s, const struct pel_smooth_crossing *c,
     k->center = c->center;
     k->x = x;
     k->flip = c->left == c->rising ? 0 : ~UINT32_C(0);
-    k->left = c->left;
+    k->more = (k->flip & 32769) + 64;
+    k->step = c->left ? -1 : 1;
     k->rising = c->rising;
 }
 
@@ -94,7 +92,7 @@ static void place(struct sides *s, const struct pel_smooth_crossing *c,
 static bool is_mirror(const struct pel_smooth_side *a,
                       const struct pel_smooth_side *b)
 {
-    return a < b && a->strip == b->strip && a->left && !b->left &&
+    return a < b && a->strip == b->strip && a->step < b->step &&
            ((a->center ^ b->center) & 255) == 0;
 }
 
@@ -113,6 +111,15 @@ static void place_all(struct sides *s, int32_t n)
     s->crossings = (int32_t)(own + 1 - s->crossing);
 }
 
+static int32_t mirror_of(const struct sides *s)
+{
+    const struct pel_smooth_side *const k = s->side;
+    const int32_t sum = k[s->n - 1].center - k[0].center;
+    if (s->seen || s->n < MOST || !k[2].image || !k[3].image)
+        return INT32_MIN;
+    return k[2].center - k[1].center == sum ? sum >> 8 : INT32_MIN;
+}
+
 /* Finds the sides of row y. False: they are not 2 or 4 that cross all of it. */
 static bool find_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
 {
@@ -120,7 +127,7 @@ static bool find_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
     if (n == 0 || n > MOST || n % 2)
         return false;
     for (int32_t i = 0; i < n; i++)
-        if (!is_whole(&s->crossing[i]))
+        if (pel_smooth_height(&s->crossing[i].strip) < 32768)
             return false;
     place_all(s, n);
     for (int32_t i = 0; i < n; i++) {
@@ -130,11 +137,12 @@ static bool find_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
             return false;
         k->image = is_mirror(other, k) ? other : NULL;
     }
+    s->mirror = mirror_of(s);
     return true;
 }
 
-/* Goes on to row y, where no side begins or ends. */
-static void move_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
+/* Goes on to the next row, where no side begins or ends. */
+static void move_sides(struct pel_smooth_outline *o, struct sides *s)
 {
     for (int32_t i = 0; i < s->crossings; i++) {
         struct pel_smooth_crossing *const c = &s->crossing[i];
@@ -142,10 +150,7 @@ static void move_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
             move_down(&c->strip, c->below);
             continue;
         }
-        if (o->sides->down)
-            o->sides->down(o, c->other, c);
-        else
-            o->sides->other(o, y, c->other, c);
+        o->sides->down(o, c->other, c);
         for (int32_t k = 0; k < s->n; k++)
             if (s->side[k].strip == &c->strip)
                 s->side[k].center = c->center;
@@ -160,13 +165,12 @@ struct pair {
 
 /* What is between the first two sides, and between the other two. */
 struct rows {
-    int32_t sides;
+    int32_t sides, mirror; /* as of all its rows */
     struct pair pair[MOST / 2];
 };
 
-/* Writes n bytes of a side, whose first column begins at u, and returns where
- * they end. */
-static inline uint8_t *put_side(struct pel_smooth_side *k, int32_t u, int32_t n,
+/* Writes n bytes of a side, and returns where they end. */
+static inline uint8_t *put_side(struct pel_smooth_side *k, int32_t n,
                                 uint8_t *to)
 {
     const struct pel_smooth_side *const image = k->image;
@@ -175,7 +179,7 @@ static inline uint8_t *put_side(struct pel_smooth_side *k, int32_t u, int32_t n,
     if (n == 0)
         return to;
     if (!image || image->bytes == 0) {
-        pel_smooth_side_cover(k, u, to);
+        pel_smooth_side_cover(k, to);
         return to + n;
     }
     for (const uint8_t *from = image->at + n; n > 0; n--)
@@ -183,15 +187,12 @@ static inline uint8_t *put_side(struct pel_smooth_side *k, int32_t u, int32_t n,
     return to;
 }
 
-/* The columns of a side; *u: the inner boundary of the first one from the axis.
- */
-static inline struct pel_span columns_of(const struct pel_smooth_side *k,
-                                         int32_t *u)
+/* The columns of a side. */
+static inline struct pel_span columns_of(const struct pel_smooth_side *k)
 {
     const struct pel_span c = pel_smooth_crossed(k->strip, k->center);
     const struct pel_span left = {-c.x1, -c.x0};
-    *u = (c.x0 * 256 - k->center) * 256;
-    return k->left ? left : c;
+    return k->step < 0 ? left : c;
 }
 
 /* How many of them get bytes. */
@@ -209,9 +210,7 @@ static int32_t put_pair(struct pair *p, struct pel_smooth_side *k,
                         const struct pel_rect *seen, int32_t x)
 {
     struct pel_smooth_batch *const b = &p->batch;
-    int32_t u0, u1;
-    const struct pel_span c0 = columns_of(&k[0], &u0);
-    const struct pel_span c1 = columns_of(&k[1], &u1);
+    const struct pel_span c0 = columns_of(&k[0]), c1 = columns_of(&k[1]);
     const int32_t n0 = bytes_of(&c0, seen), n1 = bytes_of(&c1, seen);
     if (c0.x0 < x || c1.x0 < c0.x1 ||
         n0 + n1 > b->coverage + PEL_SMOOTH_BATCH_BYTES - p->to)
@@ -221,7 +220,7 @@ static int32_t put_pair(struct pair *p, struct pel_smooth_side *k,
     b->count[i + 1] = (uint8_t)n1;
     b->at.x[i] = c0.x1;
     b->at.x[i + 1] = c1.x0;
-    p->to = put_side(&k[1], u1, n1, put_side(&k[0], u0, n0, p->to));
+    p->to = put_side(&k[1], n1, put_side(&k[0], n0, p->to));
     return c1.x1;
 }
 
@@ -231,7 +230,9 @@ static bool add_row(struct rows *r, struct sides *s)
     const int32_t x = put_pair(&r->pair[0], &s->side[0], s->seen, INT32_MIN);
     if (x == INT32_MIN)
         return false;
-    if (s->n == 2 || put_pair(&r->pair[1], &s->side[2], s->seen, x) > INT32_MIN)
+    if (s->mirror != INT32_MIN ? 2 * x <= s->mirror
+                               : s->n == 2 || put_pair(&r->pair[1], &s->side[2],
+                                                       s->seen, x) > INT32_MIN)
         return true;
     r->pair[0].batch.n--;
     return false;
@@ -251,7 +252,7 @@ static PEL_NOINLINE_32 bool go_to(struct pel_smooth_outline *o, int32_t y,
     if (y == end && (o->alike & 255) > 0)
         return false;
     if (moves)
-        move_sides(o, y, s);
+        move_sides(o, s);
     else if (!find_sides(o, y, s))
         return false;
     s->row = y;
@@ -264,7 +265,7 @@ static inline bool go_down(struct pel_smooth_outline *o, int32_t y,
 {
     if (y >= pel_pixel_of(o->alike))
         return go_to(o, y, s);
-    move_sides(o, y, s);
+    move_sides(o, s);
     s->row = y;
     return true;
 }
@@ -284,10 +285,31 @@ static PEL_NOINLINE_32 int32_t find_rows(struct pel_smooth_outline *o,
     if (last <= 0 || !go_to(o, y, s))
         return 0;
     r->sides = s->n;
-    while (s->n == r->sides && add_row(r, s))
+    r->mirror = s->mirror;
+    while (s->n == r->sides && s->mirror == r->mirror && add_row(r, s))
         if (++n == last || !go_down(o, y + n, s))
             break;
     return n;
+}
+
+/* Sets n rows to the mirror image of others. */
+static void reflect(const struct pel_smooth_batch *from, int32_t n,
+                    int32_t mirror, struct pel_smooth_batch *to)
+{
+    const uint8_t *end = from->coverage, *of = from->count;
+    const int32_t *x = from->at.x;
+    uint8_t *byte = to->coverage;
+    to->n = n;
+    for (int32_t i = 0; i < 2 * n; i += 2) {
+        const uint8_t *const begin = end;
+        to->at.x[i] = mirror - x[i + 1];
+        to->at.x[i + 1] = mirror - x[i];
+        to->count[i] = of[i + 1];
+        to->count[i + 1] = of[i];
+        end += of[i] + of[i + 1];
+        for (const uint8_t *k = end; k > begin;)
+            *byte++ = *--k;
+    }
 }
 
 static void paint(const struct pel_smooth_outline *o,
@@ -312,8 +334,11 @@ int32_t pel_smooth_whole_rows(struct pel_smooth_outline *o, int32_t y,
     s.row = INT32_MIN;
     do {
         n = find_rows(o, y + rows, end, &s, &r);
-        for (int32_t i = 0; n > 0 && i < r.sides / 2; i++)
+        for (int32_t i = 0; n > 0 && i < r.sides / 2; i++) {
+            if (i > 0 && r.mirror != INT32_MIN)
+                reflect(&r.pair[0].batch, n, r.mirror, &r.pair[1].batch);
             paint(o, &r.pair[i].batch);
+        }
         rows += n;
     } while (n > 0 && s.row >= y);
     return rows;
