@@ -16,35 +16,34 @@ struct part {
 
 /* Some columns of a row, in which the areas right of its sides are added up. */
 struct window {
-    struct pel_smooth_crossing at[CROSSINGS];
-    int32_t first, all; /* the first one of these, and how many there are */
-    const struct pel_smooth_crossing *crossing; /* one of them */
-    struct pel_span columns;                    /* that the side crosses */
-    int32_t height; /* of the side, below 0 if it falls, 2^-15 px */
-    int32_t x, n;   /* columns from x on */
-    int32_t used;   /* of them, up to the last one that a side crosses */
-    int32_t next;   /* the first one behind them that a side crosses */
+    int32_t x, n;       /* columns from x on */
+    int32_t used;       /* of them, up to the last one that a side crosses */
+    int32_t next;       /* the first one behind them that a side crosses */
+    int32_t first, all; /* the first crossing, and how many there are */
     int32_t sum[COLUMNS + 1]; /* what each has more than the one before it, and
                                  what those up to `next` have, 2^-15 px */
+    struct pel_smooth_crossing at[CROSSINGS];
 };
 
-/* Finds the columns of the window that the side crosses: false: none. */
-static inline bool note_side(struct window *w)
+/* Adds what lies right of a side. */
+static inline void add_side(struct window *w,
+                            const struct pel_smooth_crossing *c)
 {
-    const struct pel_smooth_crossing *const c = w->crossing;
-    const int32_t h = pel_smooth_height(&c->strip), end = w->x + w->n;
-    const struct pel_span columns = pel_smooth_crossing_columns(c);
-    w->height = c->rising ? h : -h;
-    if (columns.x1 <= w->x)
-        w->sum[0] += w->height;
+    const int32_t h = pel_smooth_height(&c->strip), height = c->rising ? h : -h;
+    const int32_t x = w->x, end = x + w->n;
+    struct pel_span columns = pel_smooth_crossing_columns(c);
+    if (columns.x1 <= x) {
+        w->sum[0] += height;
+        return;
+    }
     if (columns.x1 > end)
         w->next = pel_min(w->next, pel_max(columns.x0, end));
-    w->columns.x0 = pel_max(columns.x0, w->x);
-    w->columns.x1 = pel_min(columns.x1, end);
-    if (w->columns.x0 >= w->columns.x1)
-        return false;
-    w->used = pel_max(w->used, w->columns.x1 - w->x);
-    return true;
+    columns.x0 = pel_max(columns.x0, x);
+    columns.x1 = pel_min(columns.x1, end);
+    if (columns.x0 >= columns.x1)
+        return;
+    w->used = pel_max(w->used, columns.x1 - x);
+    pel_smooth_add_columns(c, columns, height, w->sum + (columns.x1 - x));
 }
 
 static void clear_window(struct pel_smooth_outline *o, int32_t x,
@@ -55,7 +54,7 @@ static void clear_window(struct pel_smooth_outline *o, int32_t x,
     w->next = o->seen.x1;
     w->used = 0;
     /* volatile: no call of memset, which may be the only one */
-    for (int32_t i = 0; i <= w->n; i++)
+    for (int32_t i = w->n; i >= 0; i--)
         ((volatile int32_t *)w->sum)[i] = 0;
 }
 
@@ -69,12 +68,8 @@ static void fill_window(struct pel_smooth_outline *o, int32_t x, int32_t y,
             w->all = pel_smooth_find_crossings(o, y, first, CROSSINGS, w->at);
         w->first = first;
         const int32_t n = pel_min(w->all - first, CROSSINGS);
-        for (int32_t i = 0; i < n; i++) {
-            w->crossing = &w->at[i];
-            if (note_side(w))
-                pel_smooth_add_columns(w->crossing, w->columns, w->height,
-                                       w->sum + (w->columns.x1 - w->x));
-        }
+        for (int32_t i = 0; i < n; i++)
+            add_side(w, &w->at[i]);
         first += CROSSINGS;
     } while (first < w->all);
 }
