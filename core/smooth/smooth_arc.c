@@ -21,32 +21,44 @@ union arc {
     } cut;
 };
 
+/* A part of a turn, and the directions of its ends. */
+struct turn {
+    struct pel_angles angles;
+    struct pel_point from, to;
+};
+
 static void set_curve(struct pel_smooth_outline *o, int32_t i,
-                      struct pel_point center, struct pel_angles a,
+                      struct pel_point center, const struct turn *turn,
                       int32_t radius)
 {
     struct pel_smooth_curve *const curve = &o->curve[i];
+    struct pel_smooth_ends *const ends = pel_smooth_ends_of(o, i);
     curve->center = center;
     curve->spread.x = curve->spread.y = 0;
-    pel_smooth_ends_of(o, i)->from =
-        pel_smooth_arc_place_at(pel_direction(a.from), radius);
-    pel_smooth_ends_of(o, i)->to =
-        pel_smooth_arc_place_at(pel_direction(a.to), radius);
+    ends->from = pel_smooth_arc_place_at(turn->from, radius);
+    ends->to = pel_smooth_arc_place_at(turn->to, radius);
     pel_smooth_circle_set(&curve->circle, radius);
-    pel_smooth_arc_set_quarters(&curve->circle, a);
+    pel_smooth_arc_set_quarters(&curve->circle, turn->angles);
 }
 
+static struct pel_smooth_place middle_of(const struct pel_arc_shape *arc,
+                                         struct pel_point direction)
+{
+    return pel_smooth_arc_place_at(direction, (arc->inner + arc->outer) >> 1);
+}
+
+/* The half of a circle at an end: clockwise from it, or to it. */
 static void set_half(struct pel_smooth_outline *o, int32_t i,
                      const struct pel_arc_shape *arc, uint16_t angle,
-                     uint16_t turn)
+                     struct pel_point d)
 {
-    const struct pel_smooth_place middle = pel_smooth_arc_place_at(
-        pel_direction(angle), (arc->inner + arc->outer) >> 1);
     const struct pel_point at =
-        pel_smooth_arc_half_center(&arc->center, middle);
-    const struct pel_angles angles = {(uint16_t)(angle + turn),
-                                      (uint16_t)(angle + turn + 32768)};
-    set_curve(o, i, at, angles, (arc->outer - arc->inner) >> 1);
+        pel_smooth_arc_half_center(&arc->center, middle_of(arc, d));
+    const struct pel_point back = {-d.x, -d.y};
+    const uint16_t opposite = (uint16_t)(angle + 32768);
+    const struct turn half = i == 1 ? (struct turn){{angle, opposite}, d, back}
+                                    : (struct turn){{opposite, angle}, back, d};
+    set_curve(o, i, at, &half, (arc->outer - arc->inner) >> 1);
 }
 
 /* The upright side that closes what rounding leaves open between curve k and
@@ -76,56 +88,55 @@ static const struct pel_smooth_sides joints = {.cut = pel_smooth_cut,
 
 /* How far from the centre's height there is nothing of an end, 1/256 px. It
  * lies within half the width of the arc of its middle. */
-static int32_t free_of(const struct pel_arc_shape *arc, uint16_t angle)
+static int32_t free_of(const struct pel_arc_shape *arc,
+                       struct pel_point direction)
 {
-    const struct pel_smooth_place middle = pel_smooth_arc_place_at(
-        pel_direction(angle), (arc->inner + arc->outer) >> 1);
-    return (pel_magnitude(middle.y) >> 8) - ((arc->outer - arc->inner) >> 1);
+    return (pel_magnitude(middle_of(arc, direction).y) >> 8) -
+           ((arc->outer - arc->inner) >> 1);
 }
 
 /* Between its ends an arc is as far up as down. They reach a few sub-pixels
  * further than they should. */
 static void set_mirror(struct pel_smooth_outline *o,
-                       const struct pel_arc_shape *arc,
-                       struct pel_angles angles)
+                       const struct pel_arc_shape *arc, const struct turn *turn)
 {
     const int32_t room =
-        pel_min(free_of(arc, angles.from), free_of(arc, angles.to)) - 8;
+        pel_min(free_of(arc, turn->from), free_of(arc, turn->to)) - 8;
     if (room > 0)
         o->mirror_from = pel_pixel_of(arc->center.y - room + 255);
 }
 
 static void set_circles(struct pel_smooth_outline *o, int32_t inner,
                         const struct pel_arc_shape *arc,
-                        struct pel_angles angles)
+                        const struct turn *turn)
 {
-    set_curve(o, 0, arc->center, angles, arc->outer);
-    set_curve(o, inner, arc->center, angles, arc->inner);
+    set_curve(o, 0, arc->center, turn, arc->outer);
+    set_curve(o, inner, arc->center, turn, arc->inner);
     o->curve[inner].circle.hole = true;
-    set_mirror(o, arc, angles);
+    set_mirror(o, arc, turn);
 }
 
 static void set_round(union arc *t, const struct pel_arc_shape *arc,
-                      struct pel_angles angles)
+                      const struct turn *turn)
 {
     struct pel_smooth_outline *const o = &t->outline;
     pel_smooth_lines_begin(&t->round.lines, t->round.curve, t->round.ends, NULL,
                            false);
-    set_circles(o, 2, arc, angles);
+    set_circles(o, 2, arc, turn);
     o->curves = o->count = 4;
     o->sides = &joints;
-    set_half(o, 1, arc, angles.to, 0);
-    set_half(o, 3, arc, angles.from, 32768);
+    set_half(o, 1, arc, turn->angles.to, turn->to);
+    set_half(o, 3, arc, turn->angles.from, turn->from);
 }
 
 static void set_cut(union arc *t, const struct pel_arc_shape *arc,
-                    struct pel_angles angles)
+                    const struct turn *turn)
 {
     pel_smooth_lines_begin(&t->cut.lines, t->cut.curve, t->cut.ends,
                            t->cut.line, false);
-    set_circles(&t->outline, 1, arc, angles);
-    pel_smooth_lines_add(&t->cut.lines, pel_direction(angles.to), 0);
-    pel_smooth_lines_add(&t->cut.lines, pel_direction(angles.from), 1);
+    set_circles(&t->outline, 1, arc, turn);
+    pel_smooth_lines_add(&t->cut.lines, turn->to, 0);
+    pel_smooth_lines_add(&t->cut.lines, turn->from, 1);
 }
 
 static struct pel_rect box_of(const struct pel_smooth_outline *o)
@@ -158,13 +169,15 @@ static bool begin_whole(struct pel_smooth_round *t,
 static PEL_NOINLINE_32 bool begin(union arc *t, const struct pel_arc_shape *arc,
                                   bool round)
 {
-    struct pel_angles angles;
+    struct turn turn;
     if (!pel_smooth_arc_is_legal(arc) || arc->outer <= arc->inner ||
-        !pel_angles_set(&angles, arc->from, arc->to))
+        !pel_angles_set(&turn.angles, arc->from, arc->to))
         return false;
-    if (angles.from == angles.to)
+    if (turn.angles.from == turn.angles.to)
         return begin_whole(&t->whole, arc);
-    (round ? set_round : set_cut)(t, arc, angles);
+    turn.from = pel_direction(turn.angles.from);
+    turn.to = pel_direction(turn.angles.to);
+    (round ? set_round : set_cut)(t, arc, &turn);
     const struct pel_rect box = box_of(&t->outline);
     return pel_smooth_outline_begin(&t->outline, &box);
 }
