@@ -143,15 +143,22 @@ static const struct pel_smooth_sides line_sides = {pel_smooth_cut, find_line,
 static const struct pel_smooth_sides wide_sides = {pel_smooth_cut, find_part,
                                                    NULL};
 
-/* Of a direction, from one place down to the other. */
-static void set_line(struct pel_smooth_line *l, struct pel_point d,
+/* From one place down to another, in a direction, or that of the line before.
+ */
+static void set_line(struct pel_smooth_line *l, const struct pel_point *d,
                      const struct pel_smooth_far_place end[2])
 {
     const struct pel_point zero = {0, 0};
     struct pel_rise rise;
-    const struct pel_point down = {d.y < 0 ? -d.x : d.x, pel_magnitude(d.y)};
-    l->step = pel_smooth_slope(&zero, &down, &rise);
-    pel_smooth_slope_set(&l->slope, (uint64_t)pel_size_of(l->step));
+    if (d) {
+        const struct pel_point down = {d->y < 0 ? -d->x : d->x,
+                                       pel_magnitude(d->y)};
+        l->step = pel_smooth_slope(&zero, &down, &rise);
+        pel_smooth_slope_set(&l->slope, (uint64_t)pel_size_of(l->step));
+    } else {
+        l->step = l[-1].step;
+        l->slope = l[-1].slope;
+    }
     l->first = l->row = first_row(end);
     l->end = (int32_t)((end[1].y - 1) >> 16);
     l->at = first_at(end, l->step);
@@ -173,8 +180,8 @@ void pel_smooth_lines_begin(struct pel_smooth_lines *lines,
     o->mirror_from = INT32_MAX;
 }
 
-void pel_smooth_lines_add(struct pel_smooth_lines *lines, struct pel_point d,
-                          int32_t k)
+void pel_smooth_lines_add(struct pel_smooth_lines *lines,
+                          const struct pel_point *d, int32_t k)
 {
     struct pel_smooth_outline *const o = &lines->outline;
     struct pel_smooth_line *const l =

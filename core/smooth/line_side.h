@@ -74,10 +74,10 @@ void pel_smooth_lines_begin(struct pel_smooth_lines *lines,
                             struct pel_smooth_ends *ends,
                             struct pel_smooth_line *line, bool wide);
 
-/* Adds a line in a direction, from curve k to the next one; none if it is
- * level. */
+/* Adds a line from curve k to the next one, in a direction, or that of the one
+ * before if it is NULL; none if it is level. */
 void pel_smooth_lines_add(struct pel_smooth_lines *lines,
-                          struct pel_point direction, int32_t k);
+                          const struct pel_point *direction, int32_t k);
 
 #endif
 #endif

@@ -135,8 +135,8 @@ static void set_cut(union arc *t, const struct pel_arc_shape *arc,
     pel_smooth_lines_begin(&t->cut.lines, t->cut.curve, t->cut.ends,
                            t->cut.line, false);
     set_circles(&t->outline, 1, arc, turn);
-    pel_smooth_lines_add(&t->cut.lines, turn->to, 0);
-    pel_smooth_lines_add(&t->cut.lines, turn->from, 1);
+    pel_smooth_lines_add(&t->cut.lines, &turn->to, 0);
+    pel_smooth_lines_add(&t->cut.lines, &turn->from, 1);
 }
 
 static struct pel_rect box_of(const struct pel_smooth_outline *o)

@@ -6,6 +6,8 @@
 #include "smooth_thick_line.h"
 #include "short_outline.h"
 
+#include <stddef.h>
+
 /* The place at a radius across a direction, which is not 0; right of it on
  * screen where it goes down. The inverse of its length is 2^(62 - shift) times
  * that: 2^30 are a whole. */
@@ -234,8 +236,8 @@ static PEL_NOINLINE void set_capsule(struct capsule *c,
         pel_smooth_circle_set(&c->curve[i].circle, radius);
         set_half(&c->curve[i], end[i], c->ends[i].from);
     }
-    pel_smooth_lines_add(&c->lines, d, 0);
-    pel_smooth_lines_add(&c->lines, d, 1);
+    pel_smooth_lines_add(&c->lines, &d, 0);
+    pel_smooth_lines_add(&c->lines, NULL, 1);
 }
 
 /* False: nothing is to be seen. */
