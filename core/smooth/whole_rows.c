@@ -293,7 +293,7 @@ static PEL_NOINLINE_32 int32_t find_rows(struct pel_smooth_outline *o,
 }
 
 /* Sets n rows to the mirror image of others. */
-static void reflect(const struct pel_smooth_batch *from, int32_t n,
+static PEL_NOINLINE_32 void reflect(const struct pel_smooth_batch *from, int32_t n,
                     int32_t mirror, struct pel_smooth_batch *to)
 {
     const uint8_t *end = from->coverage, *of = from->count;
