@@ -17,6 +17,7 @@ struct sides {
     int32_t n, crossings;
     int32_t mirror; /* of four sides, if the last two are the images of the
                        first: columns of both add up to this; or INT32_MIN */
+    struct pel_smooth_side *of[MOST]; /* of a crossing of no circle */
     struct pel_smooth_side side[MOST];
     struct pel_smooth_crossing crossing[MOST];
 };
@@ -51,7 +52,7 @@ static PEL_ALWAYS_INLINE int32_t width_at(const struct pel_smooth_strip *s,
  * Where the arc is at the near end of the row above the centre, or at the far
  * end of one below, it has not been cut to the other end, but for where both
  * are equal. */
-static void move_down(struct pel_smooth_strip *s, bool below)
+static PEL_INLINE_LOOP void move_down(struct pel_smooth_strip *s, bool below)
 {
     int32_t far = s->at_near, near = s->at_far;
     if (below) {
@@ -115,9 +116,9 @@ static int32_t mirror_of(const struct sides *s)
 {
     const struct pel_smooth_side *const k = s->side;
     const int32_t sum = k[s->n - 1].center - k[0].center;
-    if (s->seen || s->n < MOST || !k[2].image || !k[3].image)
-        return INT32_MIN;
-    return k[2].center - k[1].center == sum ? sum >> 8 : INT32_MIN;
+    const bool both = s->n == MOST && k[2].image && k[3].image &&
+                      k[2].center - k[1].center == sum;
+    return both && !s->seen ? sum >> 8 : INT32_MIN;
 }
 
 /* Finds the sides of row y. False: they are not 2 or 4 that cross all of it. */
@@ -136,6 +137,9 @@ static bool find_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
         if (k->rising == (i & 1))
             return false;
         k->image = is_mirror(other, k) ? other : NULL;
+        for (int32_t j = 0; !k->strip->circle && j < s->crossings; j++)
+            if (k->strip == &s->crossing[j].strip)
+                s->of[j] = k;
     }
     s->mirror = mirror_of(s);
     return true;
@@ -144,16 +148,14 @@ static bool find_sides(struct pel_smooth_outline *o, int32_t y, struct sides *s)
 /* Goes on to the next row, where no side begins or ends. */
 static void move_sides(struct pel_smooth_outline *o, struct sides *s)
 {
-    for (int32_t i = 0; i < s->crossings; i++) {
-        struct pel_smooth_crossing *const c = &s->crossing[i];
+    struct pel_smooth_crossing *c = s->crossing, *const end = c + s->crossings;
+    for (struct pel_smooth_side *const *of = s->of; c < end; c++, of++) {
         if (c->other < 0) {
             move_down(&c->strip, c->below);
             continue;
         }
         o->sides->down(o, c->other, c);
-        for (int32_t k = 0; k < s->n; k++)
-            if (s->side[k].strip == &c->strip)
-                s->side[k].center = c->center;
+        (*of)->center = c->center;
     }
 }
 
@@ -293,8 +295,9 @@ static PEL_NOINLINE_32 int32_t find_rows(struct pel_smooth_outline *o,
 }
 
 /* Sets n rows to the mirror image of others. */
-static PEL_NOINLINE_32 void reflect(const struct pel_smooth_batch *from, int32_t n,
-                    int32_t mirror, struct pel_smooth_batch *to)
+static PEL_NOINLINE_32 void reflect(const struct pel_smooth_batch *from,
+                                    int32_t n, int32_t mirror,
+                                    struct pel_smooth_batch *to)
 {
     const uint8_t *end = from->coverage, *of = from->count;
     const int32_t *x = from->at.x;
