@@ -125,8 +125,7 @@ typedef void pel_cells_filler(const struct pel_paint *paint,
                               struct pel_span *run);
 
 /* Where stack is short: with memory for PEL_ROWS runs, for PEL_CELL_ROWS, and
- * for as many as there are rows. One row, and cells that have runs of their
- * own, need none. */
+ * for as many as there are rows; one row needs none. */
 void pel_cells_fill_few(const struct pel_paint *paint,
                         const struct pel_spans *spans, int32_t most,
                         pel_cells_filler *fill);
@@ -134,11 +133,11 @@ void pel_cells_fill_many(const struct pel_paint *paint,
                          const struct pel_spans *spans, int32_t most,
                          pel_cells_filler *fill);
 
-static PEL_ALWAYS_INLINE void pel_cells_fill_apart(
-    const struct pel_paint *paint, const struct pel_spans *spans, int32_t most,
-    pel_cells_filler *fill)
+static inline void pel_cells_fill_apart(const struct pel_paint *paint,
+                                        const struct pel_spans *spans,
+                                        int32_t most, pel_cells_filler *fill)
 {
-    if (!PEL_SHORT_STACK || spans->n == 1)
+    if (spans->n == 1)
         fill(paint, spans, most, NULL);
     else if (spans->n > PEL_ROWS)
         pel_cells_fill_many(paint, spans, most, fill);

@@ -121,7 +121,10 @@ static PEL_STEP_OR_INLINE void fill_rows(const struct pel_paint *paint,
 
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
-    pel_cells_fill_apart(paint, spans, PEL_CELL_ROWS, fill_rows);
+    if (PEL_SHORT_STACK)
+        pel_cells_fill_apart(paint, spans, PEL_CELL_ROWS, fill_rows);
+    else
+        fill_rows(paint, spans, PEL_CELL_ROWS, NULL);
 }
 
 static enum pel_status begin(struct pel_conic *paint, struct pel_point center,

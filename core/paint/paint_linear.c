@@ -264,8 +264,10 @@ static void fill_anew(const struct pel_paint *paint,
         PEL_CELL_ROWS == 1 ? PEL_CELL_ROWS : rows_at_a_time(p, spans);
     if (rows == 0 && spans->surface->format->put)
         fill_pixels(p, spans);
-    else
+    else if (PEL_SHORT_STACK)
         pel_cells_fill_apart(paint, spans, rows, fill_rows);
+    else
+        fill_rows(paint, spans, rows, NULL);
 }
 
 /* Rows of a horizontal gradient are copied, but not where stack is short. */

@@ -248,9 +248,11 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
         return;
     if (narrow && spans->surface->format->put)
         fill_pixels(p, spans);
-    else
+    else if (PEL_SHORT_STACK)
         pel_cells_fill_apart(paint, spans, narrow ? 0 : PEL_CELL_ROWS,
                              fill_rows);
+    else
+        fill_rows(paint, spans, narrow ? 0 : PEL_CELL_ROWS, NULL);
 }
 
 enum pel_status pel_radial_init(struct pel_radial *paint,
