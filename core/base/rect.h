@@ -17,22 +17,18 @@ static inline bool pel_rect_empty(const struct pel_rect *r)
 static inline struct pel_rect pel_rect_intersect(const struct pel_rect *a,
                                                  const struct pel_rect *b)
 {
-    struct pel_rect r;
-    r.x0 = pel_max(a->x0, b->x0);
-    r.y0 = pel_max(a->y0, b->y0);
-    r.x1 = pel_min(a->x1, b->x1);
-    r.y1 = pel_min(a->y1, b->y1);
+    const struct pel_rect r = {pel_max(a->x0, b->x0), pel_max(a->y0, b->y0),
+                               pel_min(a->x1, b->x1), pel_min(a->y1, b->y1)};
     return r;
 }
 
 /* The box of a triangle, in sub-pixels. */
 static inline struct pel_rect pel_corners_box(const struct pel_point v[3])
 {
-    struct pel_rect r;
-    r.x0 = pel_min(pel_min(v[0].x, v[1].x), v[2].x);
-    r.y0 = pel_min(pel_min(v[0].y, v[1].y), v[2].y);
-    r.x1 = pel_max(pel_max(v[0].x, v[1].x), v[2].x);
-    r.y1 = pel_max(pel_max(v[0].y, v[1].y), v[2].y);
+    const struct pel_rect r = {pel_min(pel_min(v[0].x, v[1].x), v[2].x),
+                               pel_min(pel_min(v[0].y, v[1].y), v[2].y),
+                               pel_max(pel_max(v[0].x, v[1].x), v[2].x),
+                               pel_max(pel_max(v[0].y, v[1].y), v[2].y)};
     return r;
 }
 
@@ -40,11 +36,8 @@ static inline struct pel_rect pel_corners_box(const struct pel_point v[3])
 static inline struct pel_rect pel_rect_join(const struct pel_rect *a,
                                             const struct pel_rect *b)
 {
-    struct pel_rect r;
-    r.x0 = pel_min(a->x0, b->x0);
-    r.y0 = pel_min(a->y0, b->y0);
-    r.x1 = pel_max(a->x1, b->x1);
-    r.y1 = pel_max(a->y1, b->y1);
+    const struct pel_rect r = {pel_min(a->x0, b->x0), pel_min(a->y0, b->y0),
+                               pel_max(a->x1, b->x1), pel_max(a->y1, b->y1)};
     return r;
 }
 
@@ -65,11 +58,10 @@ static inline struct pel_rect pel_points_box(const struct pel_point *v,
 static inline struct pel_rect pel_rect_pixels(const struct pel_rect *box,
                                               const struct pel_rect *clip)
 {
-    struct pel_rect r;
-    r.x0 = pel_max(pel_first_pixel(box->x0), clip->x0);
-    r.y0 = pel_max(pel_first_pixel(box->y0), clip->y0);
-    r.x1 = pel_min(pel_first_pixel(box->x1), clip->x1);
-    r.y1 = pel_min(pel_first_pixel(box->y1), clip->y1);
+    const struct pel_rect r = {pel_max(pel_first_pixel(box->x0), clip->x0),
+                               pel_max(pel_first_pixel(box->y0), clip->y0),
+                               pel_min(pel_first_pixel(box->x1), clip->x1),
+                               pel_min(pel_first_pixel(box->y1), clip->y1)};
     return r;
 }
 
@@ -78,11 +70,11 @@ static inline struct pel_rect pel_rect_around(struct pel_point center,
                                               struct pel_point radius,
                                               const struct pel_rect *clip)
 {
-    struct pel_rect r;
-    r.x0 = pel_max(pel_first_pixel(center.x - radius.x), clip->x0);
-    r.y0 = pel_max(pel_first_pixel(center.y - radius.y), clip->y0);
-    r.x1 = pel_min(pel_pixel_of(center.x + radius.x + 128), clip->x1);
-    r.y1 = pel_min(pel_pixel_of(center.y + radius.y + 128), clip->y1);
+    const struct pel_rect r = {
+        pel_max(pel_first_pixel(center.x - radius.x), clip->x0),
+        pel_max(pel_first_pixel(center.y - radius.y), clip->y0),
+        pel_min(pel_pixel_of(center.x + radius.x + 128), clip->x1),
+        pel_min(pel_pixel_of(center.y + radius.y + 128), clip->y1)};
     return r;
 }
 

@@ -107,16 +107,6 @@ pel_gouraud_pack(const struct pel_gouraud_pixels *p,
            ((b + s->next[0]) >> 11 & 0x001F0000u);
 }
 
-/* The first n of a vector, which are not all. */
-static PEL_ALWAYS_INLINE void pel_gouraud_put_few(uintptr_t p, int32_t n,
-                                                  pel_u32x4 pixels, int bytes)
-{
-    if (bytes == 4)
-        pel_put_part32((pel_word32 *)p, n, pixels);
-    else
-        pel_put_part16((pel_word16 *)p, n, (pel_u16x8)pixels);
-}
-
 /* n pixels, of which the first has the channels c; with constant `bytes`. The
  * last vector overlaps those before it. */
 static PEL_ALWAYS_INLINE void pel_gouraud_span(
@@ -128,7 +118,10 @@ static PEL_ALWAYS_INLINE void pel_gouraud_span(
     struct pel_gouraud_pixels a = pel_gouraud_start(c, s, bytes);
     const pel_u32x4 first = pel_gouraud_pack(&a, s, bytes);
     if (n < 16 / bytes) {
-        pel_gouraud_put_few(p, n, first, bytes);
+        if (bytes == 4)
+            pel_put_part32((pel_word32 *)p, n, first);
+        else
+            pel_put_part16((pel_word16 *)p, n, (pel_u16x8)first);
         return;
     }
     const struct pel_gouraud_pixels tail =
