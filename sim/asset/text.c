@@ -64,21 +64,45 @@ const char *import_name(const char *output, char name[IMPORT_NAME])
     return name;
 }
 
-bool import_name_check(const char *name)
+/* Names that the asset's files cannot have: words of C and of C++, what is
+ * defined beside them, and functions of C's library, which would be the asset
+ * in all of the program, without a word from the linker. */
+static bool is_taken(const char *name)
 {
     static const char words[] =
-        " auto break case char const continue default do double else enum "
-        "extern float for goto if inline int long register restrict return "
-        "short signed sizeof static struct switch typedef union unsigned void "
-        "volatile while ";
-    char padded[160];
-    size_t n = strspn(name, "abcdefghijklmnopqrstuvwxyz"
-                            "ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789");
-    snprintf(padded, sizeof(padded), " %s ", name);
-    return (n > 0 && n < IMPORT_NAME && name[n] == '\0' &&
-            !isdigit((unsigned char)*name) && !strstr(words, padded)) ||
-           message_error("the name '%s' is no identifier of C: expected --name "
-                         "such as duck",
+        " alignas alignof and and_eq asm auto bitand bitor bool break case "
+        "catch char class compl concept const const_cast consteval constexpr "
+        "constinit continue co_await co_return co_yield decltype default "
+        "delete do double dynamic_cast else enum explicit export extern false "
+        "float for friend goto if inline int linux long main mutable namespace "
+        "new noexcept not not_eq nullptr NULL operator or or_eq private "
+        "protected public register reinterpret_cast requires restrict return "
+        "short signed sizeof static static_assert static_cast struct switch "
+        "template this thread_local throw true try typedef typeid typename "
+        "typeof union unix unsigned using virtual void volatile wchar_t while "
+        "xor xor_eq "
+        "abort abs accept access acct alarm bind brk ceil chroot clock close "
+        "connect cos daemon div dup environ errno exit exp fork floor free "
+        "index kill link listen log nice open pause pipe poll pow printf "
+        "raise rand random read remove rename rewind rindex round select send "
+        "shutdown signal sin sleep socket splice sqrt stat stderr stdin stdout "
+        "swab sync system tan tee time times trunc truncate unlink wait write ";
+    char padded[IMPORT_NAME + 2];
+    snprintf(padded, sizeof padded, " %s ", name);
+    return strstr(words, padded) != NULL;
+}
+
+bool import_name_check(const char *name)
+{
+    const size_t n = strspn(name, "abcdefghijklmnopqrstuvwxyz"
+                                  "ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789");
+    if (n == 0 || n >= IMPORT_NAME || name[n] || isdigit((unsigned char)*name))
+        return message_error("the name '%s' is no identifier of C: expected "
+                             "--name such as duck",
+                             name);
+    return !is_taken(name) ||
+           message_error("the name '%s' is one that C or C++ has already: "
+                         "expected --name such as duck",
                          name);
 }
 

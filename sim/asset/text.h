@@ -27,7 +27,8 @@ enum { IMPORT_NAME = 128 }; /* bytes of a name */
  * what C does not take. */
 const char *import_name(const char *output, char name[IMPORT_NAME]);
 
-/* True for an identifier of C; false with a message. */
+/* True for an identifier of C that neither C nor C++ has already; false with a
+ * message. */
 bool import_name_check(const char *name);
 
 /* Opens the output and writes its first lines: the comment, with the base name

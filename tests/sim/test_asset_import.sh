@@ -289,7 +289,10 @@ for kind in psf.gz pcf.gz pcf ttf bdf; do
 done
 refuse "expected an output .c or .pel2d" builtin:vase -o "$dir/x.h"
 refuse "is no identifier of C" builtin:vase --name 3d -o "$dir/x.c"
-refuse "is no identifier of C" builtin:vase --name int -o "$dir/x.c"
+for name in int delete bool close; do # of C, of C++, a macro, a function
+    refuse "'$name' is one that C or C++ has already" builtin:vase \
+        -o "$dir/$name.c"
+done
 refuse "--format is 'rgb': expected one of rgb565_le," "$dir/picture.ppm" \
     --format rgb -o "$dir/x.c"
 refuse "expected 8|16" builtin:vase --normals 12 -o "$dir/x.c"
