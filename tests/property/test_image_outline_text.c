@@ -209,10 +209,8 @@ TEST(random_bytes_are_drawn_or_refused)
 
 TEST(arguments_are_checked)
 {
-    struct cases c = cases_of(1);
-    cases_next(&c);
-    any_text_make(&c.random);
-    assert_false(cases_next(&c));
+    for (struct cases c = cases_of(1); cases_next(&c);)
+        any_text_make(&c.random);
     canvas_open(&other, &pel_xrgb8888, &bounds, 0);
     const struct pel_surface *const s = &other.surface;
     assert_int_equal(pel_outline_text(s, &any_text.text, &ink.paint, NULL, 9),

@@ -260,6 +260,11 @@ TEST(dashes_have_the_direction_of_their_line)
         dashes.phase = /* an end is near that of the first line */
             5 * period - (int32_t)way % period + random_between(r, -9, 9) +
             (int32_t)(random_word(r) % 2) * dash[0];
+        /* One that begins at the end by less than lengths are rounded by may
+         * be left out, and its cap with it. */
+        const double last = fmod(way + dashes.phase, period);
+        if (n == 2 && last > 0 && last < 1. / 32)
+            continue;
         shape_keep(v, n);
         cases_keep(stroke_print, &line, sizeof line);
         measure_dashes(&line);
