@@ -223,28 +223,32 @@ TEST(rows)
     }
 }
 
-/* And of round lines that are wider than a strip, up to the widest. */
+/* And of round lines that are wider than a strip, up to the widest, level
+ * ones and others, at heights of more than 512 rows, too. */
 TEST(rows_of_wide_lines)
 {
     static const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
-    static const struct pel_rect bounds = {-4, -12, 4, 12};
     static uint8_t whole[24 * 8], part[24 * 8];
     struct pel_surface surface;
     for (struct cases c = cases_of(2000); cases_next(&c);) {
         struct random *const r = &c.random;
         const int32_t most = random_word(r) % 8 ? 9999 : 1;
+        const int32_t y0 = 700 * random_between(r, -1, 1);
+        const int32_t rise =
+            random_word(r) % 2 ? random_between(r, -8000000, 8000000) : 0;
+        const struct pel_rect bounds = {-4, y0 - 12, 4, y0 + 12};
         const struct pel_thick_line_shape line = {
             {random_between(r, 0, most) - PEL_PX(32768),
-             random_between(r, -2999, 2999)},
+             PEL_PX(y0) - rise + random_between(r, -2999, 2999)},
             {PEL_PX(32768) - 1 - random_between(r, 0, most),
-             random_between(r, -2999, 2999)},
+             PEL_PX(y0) + rise + random_between(r, -2999, 2999)},
             random_between(r, 2, 2047)};
         memset(whole, 0, sizeof whole);
         memset(part, 0, sizeof part);
         pel_surface_init(&surface, &pel_gray8, whole, sizeof whole, &bounds);
         pel_smooth_thick_line_round(&surface, &line, &white.paint);
         surface.pixels = part;
-        for (int32_t y = -12; y < 12; y++) {
+        for (int32_t y = y0 - 12; y < y0 + 12; y++) {
             surface.clip = (struct pel_rect){-4, y, 4, y + 1};
             pel_smooth_thick_line_round(&surface, &line, &white.paint);
         }
