@@ -80,12 +80,12 @@ static void paint(const struct pel_surface *surface, const struct round *s,
     }
 }
 
-/* From 0 to 32,767 px, more often small, sometimes whole. */
 static void draw(const struct pel_surface *surface, const struct round *s)
 {
     paint(surface, s, &white.paint);
 }
 
+/* From 0 to 32,767 px, more often small, sometimes whole. */
 static int32_t random_radius(struct random *r)
 {
     const int32_t radius =
@@ -183,7 +183,7 @@ static struct round random_round(struct random *r)
 }
 
 /* Small circles, and those of more than 2,048 px, are less exact; the ends of
- * arcs are rounded to 1/256 px. */
+ * arcs are rounded to 1/256 px, and the width of a line to 2^-22 of it. */
 static real bound_of(const struct round *s)
 {
     const bool two = s->kind == RING || s->kind == ARC || s->kind == ELLIPSE;
@@ -192,7 +192,7 @@ static real bound_of(const struct round *s)
     const bool good = pel_min(other, s->radius) >= PEL_PX(16) &&
                       most <= PEL_PX(2048) && s->kind != ROUNDED &&
                       s->kind != ARC_ROUND && s->kind != LINE;
-    return good ? 0.55L : 1;
+    return good ? 0.55L : s->kind == LINE && most > PEL_PX(4096) ? 2 : 1;
 }
 
 TEST(areas)
