@@ -223,6 +223,21 @@ TEST(rows)
     }
 }
 
+/* Some of the pixels of a surface 8 px wide. */
+static void check_line(const struct pel_thick_line_shape *line,
+                       const struct pel_rect *b, const uint8_t *pixels)
+{
+    const struct round s = {LINE, line->from, line->to, line->width, 0, 0, 0};
+    for (int32_t i = 0; i < 24 * 8; i += 7) {
+        const real area = 255 * round_area_at(&s, b->x0 + i % 8, b->y0 + i / 8);
+        if (real_abs(pixels[i] - area) > 1.1L)
+            fail_msg("pixel %d: %d, not %.3Lf; from %d %d to %d %d, %d wide; "
+                     "%s",
+                     i, pixels[i], area, line->from.x, line->from.y, line->to.x,
+                     line->to.y, line->width, cases_replay());
+    }
+}
+
 /* And of round lines that are wider than a strip, up to the widest, level
  * ones and others, at heights of more than 512 rows, too. */
 TEST(rows_of_wide_lines)
@@ -247,6 +262,7 @@ TEST(rows_of_wide_lines)
         memset(part, 0, sizeof part);
         pel_surface_init(&surface, &pel_gray8, whole, sizeof whole, &bounds);
         pel_smooth_thick_line_round(&surface, &line, &white.paint);
+        check_line(&line, &bounds, whole);
         surface.pixels = part;
         for (int32_t y = y0 - 12; y < y0 + 12; y++) {
             surface.clip = (struct pel_rect){-4, y, 4, y + 1};

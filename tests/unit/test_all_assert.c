@@ -107,8 +107,10 @@ static void draw_around(const struct any_shape *s, int32_t pixel, bool outline)
     if (s->kind != ANY_POLYGON) {
         (outline ? any_draw_outline : any_draw)(&hits.surface, s, &hits.paint);
         expect_broken(any_name(s), pixel);
-        if (any_draw_smooth(&hits.surface, s, &hits.paint))
-            expect_broken("smooth", pixel);
+        struct any_shape way = *s; /* with other ends */
+        for (; way.n < 6; way.n++)
+            if (any_draw_smooth(&hits.surface, &way, &hits.paint))
+                expect_broken("smooth", pixel);
     } else {
         assert_int_equal(pel_polygon(&hits.surface, POLYGON(s), &hits.paint,
                                      scratch, sizeof scratch),
@@ -267,7 +269,6 @@ static void check_twin(const struct pel_format *twin)
                                 PEL_RGBA(0, 0, 255, 10)};
     const pel_color opaque[3] = {PEL_RGB(255, 0, 0), PEL_RGB(0, 255, 0),
                                  PEL_RGB(0, 0, 255)};
-    struct pel_smooth smooth;
     struct pel_blend blend;
     struct pel_surface s, other;
     s = surface_of(twin, pixels, sizeof pixels, 8, 8);
@@ -281,8 +282,11 @@ static void check_twin(const struct pel_format *twin)
                      PEL_OK);
     pel_circle(&s, clipped[0], PEL_PX(4), &blend.paint);
     expect_broken("twin, blend", 0);
-    assert_false(pel_smooth_begin(&smooth, &s, &full.paint));
-    expect_broken("twin, smooth", 0);
+    for (int kind = 0; kind < ANY_PATH; kind++) {
+        const struct any_shape shape = shape_at(kind, 500, 1000);
+        if (any_draw_smooth(&s, &shape, &full.paint))
+            expect_broken("twin, smooth", kind);
+    }
     for (int k = 0; k < 2; k++) {
         pel_triangle(&s, v[k], &half.paint);
         expect_broken("twin, flat", k);
