@@ -280,22 +280,30 @@ static bool is_near(double level, double t, int far, int shift)
     return level >= low - 2 && level <= high + 2;
 }
 
+static void draw_stops(struct canvas *canvas, uint8_t stops)
+{
+    any.gradient.stops = stops;
+    canvas_open(canvas, &pel_xrgb8888, &bounds, 0);
+    assert_int_equal(
+        pel_icon(&canvas->surface, &any.shape, scratch, sizeof scratch),
+        PEL_OK);
+}
+
 TEST(gradients_follow_their_formula)
 {
     long pixels = 0;
     for (struct cases c = cases_of(1500); cases_next(&c);) {
         make_gradient(&c.random);
-        canvas_open(&whole, &pel_xrgb8888, &bounds, 0);
-        assert_int_equal(
-            pel_icon(&whole.surface, &any.shape, scratch, sizeof scratch),
-            PEL_OK);
+        draw_stops(&other, 1); /* where it is */
+        draw_stops(&whole, STOPS);
         for (int32_t y = bounds.y0; y < bounds.y1; y++)
             for (int32_t x = bounds.x0; x < bounds.x1; x++) {
                 int far;
                 const double t = place_at(x, y, &far);
                 const uint32_t got = canvas_pixel(&whole, x, y);
                 if (is_edge(t) || far > 7 ||
-                    got == canvas_pixel_before(&whole, x, y))
+                    canvas_pixel(&other, x, y) ==
+                        canvas_pixel_before(&other, x, y))
                     continue;
                 pixels++;
                 for (int s = 0; s < 24; s += 8)
@@ -306,6 +314,25 @@ TEST(gradients_follow_their_formula)
             }
     }
     assert_true(cases_alone() || pixels > 1000);
+}
+
+/* The memory of a row is that of the box, on the widest surface. */
+TEST(memory_is_for_the_box)
+{
+    static uint8_t row[30000];
+    const struct pel_rect wide = {0, 0, sizeof row, 1};
+    struct pel_surface surface;
+    for (struct cases c = cases_of(20); cases_next(&c);) {
+        make_icon(&c.random);
+        any.shape.kind = any_kind(true);
+        assert_int_equal(pel_icon_place(&any.shape, PEL_PX(20), 0,
+                                        (struct pel_point){PEL_PX(99), 0}),
+                         PEL_OK);
+        pel_surface_init(&surface, &pel_gray8, row, sizeof row, &wide);
+        assert_int_equal(pel_icon(&surface, &any.shape, scratch,
+                                  PEL_ICON_SCRATCH_SIZE(400, 22)),
+                         PEL_OK);
+    }
 }
 
 TEST(wrong_icons_are_refused)
