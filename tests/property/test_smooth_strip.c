@@ -238,9 +238,9 @@ static void check_line(const struct pel_thick_line_shape *line,
     }
 }
 
-/* And of round lines that are wider than a strip, up to the widest, level
- * ones and others, at heights of more than 512 rows, too. */
-TEST(rows_of_wide_lines)
+/* And of round lines, short ones and those that are wider than a strip, up to
+ * the widest, level ones and others, far from row 0, too. */
+TEST(rows_of_lines)
 {
     static const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
     static uint8_t whole[24 * 8], part[24 * 8];
@@ -248,14 +248,16 @@ TEST(rows_of_wide_lines)
     for (struct cases c = cases_of(2000); cases_next(&c);) {
         struct random *const r = &c.random;
         const int32_t most = random_word(r) % 8 ? 9999 : 1;
-        const int32_t y0 = 700 * random_between(r, -1, 1);
-        const int32_t rise =
-            random_word(r) % 2 ? random_between(r, -8000000, 8000000) : 0;
+        const int32_t y0 = 20000 * random_between(r, -1, 1);
+        const int32_t far = random_word(r) % 2 ? PEL_PX(32768) : 2000;
+        const int32_t rise = far > 2000 && random_word(r) % 2
+                                 ? random_between(r, -3000000, 3000000)
+                                 : 0;
         const struct pel_rect bounds = {-4, y0 - 12, 4, y0 + 12};
         const struct pel_thick_line_shape line = {
-            {random_between(r, 0, most) - PEL_PX(32768),
+            {random_between(r, 0, most) - far,
              PEL_PX(y0) - rise + random_between(r, -2999, 2999)},
-            {PEL_PX(32768) - 1 - random_between(r, 0, most),
+            {far - 1 - random_between(r, 0, most),
              PEL_PX(y0) + rise + random_between(r, -2999, 2999)},
             random_between(r, 2, 2047)};
         memset(whole, 0, sizeof whole);
