@@ -140,6 +140,46 @@ TEST(dashed_parts_without_length_are_dots)
     }
 }
 
+/* Each part of a path begins with the same dash, and may be a dot. */
+TEST(parts_begin_anew)
+{
+    static const uint8_t verbs[6] = {PEL_MOVE, PEL_LINE, PEL_LINE,
+                                     PEL_MOVE, PEL_LINE, PEL_LINE};
+    static const struct pel_flat full = PEL_FLAT(PEL_RGB(200, 40, 90));
+    const struct pel_rect bounds = {0, 0, SIZE, SIZE};
+    for (struct cases c = cases_of(2000); cases_next(&c);) {
+        struct random *r = &c.random;
+        struct pel_point v[6];
+        for (int i = 0; i < 6; i++)
+            v[i] = (struct pel_point){random_between(r, 0, PEL_PX(SIZE)),
+                                      random_between(r, 0, PEL_PX(SIZE))};
+        if (random_word(r) % 4 == 0)
+            v[4] = v[5] = v[3];
+        const int32_t dash[2] = {random_between(r, 1, 1500),
+                                 random_between(r, 256, 1500)};
+        const struct pel_dashes dashes = {&pel_dashed, dash, 2,
+                                          random_between(r, 0, 3000)};
+        struct pel_path path = {verbs, NULL, &v[0].x, 6, 6};
+        const struct pel_path_shape shape = {
+            .path = &path,
+            .stroke = {.width = 500, .cap = PEL_CAP_ROUND, .dashes = &dashes}};
+        canvas_open(&whole, &pel_rgb888, &bounds, 0);
+        canvas_open(&other, &pel_rgb888, &bounds, 0);
+        assert_int_equal(pel_path_stroke(&whole.surface, &shape, &full.paint,
+                                         scratch, sizeof scratch),
+                         PEL_OK);
+        path.verb_count = path.point_count = 3;
+        for (int i = 0; i < 6; i += 3) {
+            path.points32 = &v[i].x;
+            assert_int_equal(pel_path_stroke(&other.surface, &shape,
+                                             &full.paint, scratch,
+                                             sizeof scratch),
+                             PEL_OK);
+        }
+        canvas_check_same(&whole, &other);
+    }
+}
+
 /* How deep the middles of pixels are in the dashes, 1/256 px: surely, and if
  * what rounding may leave out is there. */
 static double sure[SIZE][SIZE], most[SIZE][SIZE];

@@ -135,12 +135,15 @@ TEST(dashes_have_limits)
 {
     static const int32_t pair[2] = {100, 156}, short_one[2] = {100, 155},
                          negative[2] = {300, -1},
-                         long_one[2] = {PEL_PX(32767), 1}, one[1] = {128};
+                         long_one[2] = {PEL_PX(32767), 1}, one[1] = {128},
+                         whole[2] = {PEL_PX(32767), 0}, many[64] = {256};
     static const struct {
         struct pel_dashes dashes;
         enum pel_status status;
     } rows[] = {{{&pel_dashed, pair, 2, PEL_PX(32767)}, PEL_OK},
                 {{&pel_dashed, one, 1, 0}, PEL_OK},
+                {{&pel_dashed, many, 64, 0}, PEL_OK},
+                {{&pel_dashed, whole, 2, 0}, PEL_OK},
                 {{NULL, pair, 2, 0}, PEL_ERROR_NULL},
                 {{&pel_dashed, NULL, 2, 0}, PEL_ERROR_NULL},
                 {{&pel_dashed, pair, 0, 0}, PEL_ERROR_RANGE},
