@@ -82,17 +82,18 @@
 /* 1: with -Os every paint fits every shape in 384 bytes of stack, smooth shapes
  * too, as measured on a Cortex-M0+ and M4; a paint around another, as a dither
  * of a gradient, takes what that takes as well. The default with -Os on CPUs of
- * 32 bits; not on an ESP32, whose tasks have kilobytes; 0 where PEL_SMALL_CODE
- * is 1, whose stack is as short. Text, fans, nine slices, patterns, textures,
- * blends and Phong take up to 1.6 times as long as with 0, gradients in other
- * shapes than rectangles, and horizontal ones, up to 2.5 times, smooth edges 3
- * to 10 times. With 0 -Os takes 1.1 times as long as -O2, 1.5 times at most; a
- * smooth shape has up to 2.1 KB of stack then, and 4 to 9 KB more code. */
+ * 32 bits; not on an ESP32 or with Arduino, where there are kilobytes; 0 where
+ * PEL_SMALL_CODE is 1, whose stack is as short. Text, fans, nine slices,
+ * patterns, textures, blends and Phong take up to 1.6 times as long as with 0,
+ * gradients in other shapes than rectangles, and horizontal ones, up to 2.5
+ * times, smooth edges 3 to 10 times. With 0 -Os takes 1.1 times as long as
+ * -O2, 1.5 times at most; a smooth shape has up to 2.1 KB of stack then, and 4
+ * to 9 KB more code. */
 #if PEL_SMALL_CODE
 #undef PEL_SHORT_STACK
 #define PEL_SHORT_STACK 0
 #elif defined(PEL_SHORT_STACK)
-#elif defined(__OPTIMIZE_SIZE__) && !defined(ESP_PLATFORM)
+#elif defined(__OPTIMIZE_SIZE__) && !defined(ESP_PLATFORM) && !defined(ARDUINO)
 #define PEL_SHORT_STACK (!PEL_64BIT)
 #else
 #define PEL_SHORT_STACK 0

@@ -87,10 +87,17 @@ run cmake_idf cmake -P requirements.cmake
 run cmake_idf cmake -B b
 run cmake_idf cmake --build b
 draws "$work/cmake_idf/b"
-run cmake_zephyr cmake -B b -D CONFIG_PEL=y -D CONFIG_PEL_DRIVERS=y
+run cmake_zephyr cmake -B b -D CONFIG_PEL=y -D CONFIG_PEL_DRIVERS=y \
+    -D CONFIG_PEL_SHORT_STACK=y
 run cmake_zephyr cmake --build b
 draws "$work/cmake_zephyr/b"
 [ -f "$work/cmake_zephyr/b/pel/libpel.a" ] || fail "Zephyr: no libpel.a"
+run cmake_zephyr cmake -B deep -D CONFIG_PEL=y -D CONFIG_PEL_DRIVERS=y
+for folder in b deep; do
+    grep -rl --include=flags.make 'C_DEFINES.*PEL_SHORT_STACK=0' \
+        "$work/cmake_zephyr/$folder"
+done | awk '!/\/deep\// { bad = 1 } END { exit bad || !NR }' ||
+    fail "Zephyr: CONFIG_PEL_SHORT_STACK"
 run cmake_zephyr cmake -B none
 run cmake_zephyr cmake --build none
 [ ! -e "$work/cmake_zephyr/none/pel/libpel.a" ] ||
@@ -147,6 +154,17 @@ g++ -std=gnu++11 -Wall -Wextra -Werror -I"$arduino/src" \
 g++ -std=gnu++11 -Wall -Wextra -Werror -I"$arduino/src" -I"$work" \
     -I"$arduino/examples/panel" "$here/arduino_panel.cpp" "$work"/arduino/*.o \
     -Wl,--gc-sections -o "$work/panel_sketch" && "$work/panel_sketch" || fail "panel.ino"
+
+# where stack is short: with -Os alone
+is_short() {
+    printf '#if !PEL_SHORT_STACK\n#error\n#endif\n' | i686-linux-gnu-gcc "$@" \
+        -include core/pel_config.h -fsyntax-only -x c - 2>/dev/null
+}
+is_short -Os && is_short -O2 -DPEL_SHORT_STACK=1 || fail "PEL_SHORT_STACK is not 1"
+for options in -O2 "-Os -DARDUINO=10819" "-Os -DESP_PLATFORM" \
+    "-Os -DPEL_SMALL_CODE=1" "-Os -DPEL_SHORT_STACK=0"; do
+    ! is_short $options || fail "PEL_SHORT_STACK is 1 with $options"
+done
 
 # an int of 16 bits is told, not compiled
 $CC -U__INT_MAX__ -D__INT_MAX__=32767 $INCLUDE -fsyntax-only "$here/main.c" 2>&1 |
