@@ -4,7 +4,8 @@
 #include "short_outline.h"
 
 #if PEL_SMOOTH_TINY && !PEL_SMALL_CODE
-enum { BITS = 4 };
+/* REST: all columns of a row. */
+enum { BITS = 4, REST = 15 };
 
 /* Adds what lies right of the side in its columns of the window, and behind
  * them; or takes it away. */
@@ -185,7 +186,9 @@ static PEL_NOINLINE void read_columns(struct pel_smooth_short_outline *t)
     int32_t sum = 0, first = 0, end = 0;
     if (p->some.x1 == 0 && p->full.x0 == p->full.x1) /* no side was left */
         p->full.x0 = p->full.x1 = pel_smooth_last_x(t) + 1;
-    t->rows.columns = (unsigned)p->some.x1 & 15;
+    t->rows.columns = t->rows.order >> BITS * t->rows.passed
+                          ? (unsigned)p->some.x1 & 15
+                          : REST;
     for (int32_t i = 0; i < p->some.x1; i++) {
         sum += t->of.window.sum[i];
         const uint8_t coverage = pel_smooth_sum_coverage(sum);
@@ -219,7 +222,9 @@ static PEL_NOINLINE bool end_sides(struct pel_smooth_short_outline *t)
 /* Ends a part; false at the end. */
 static PEL_NOINLINE bool pass_part(struct pel_smooth_short_outline *t)
 {
-    t->part.full.x1 += t->rows.columns;
+    t->part.full.x1 = t->rows.columns == REST
+                          ? pel_smooth_last_x(t) + 1
+                          : t->part.full.x1 + t->rows.columns;
     t->rows.columns = 0;
     return pel_smooth_end_part(t);
 }

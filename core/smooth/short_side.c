@@ -140,14 +140,16 @@ void pel_smooth_follow(struct pel_smooth_short_walk *k, int i, int32_t n)
     struct pel_smooth_short_side *const s = &k->work.row.side;
     const int32_t bottom = PEL_PX(k->pixels.y) + 256;
     pel_smooth_copy_side(s, &k->side[i]);
-    int32_t end = find_edge(k, i, s);
-    for (;;) {
+    int32_t end = find_edge(k, i, s), next;
+    for (;; end = next) {
         next_piece(k, end);
         pel_smooth_use_piece(k, i, n);
         if (end > bottom)
             return;
         s->from = next_vertex(k, i, s->from);
-        end = enter_edge(k, i, s);
+        next = enter_edge(k, i, s);
+        if (end == bottom || next == ENDED)
+            return;
     }
 }
 
