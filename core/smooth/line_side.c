@@ -20,7 +20,7 @@ static inline int64_t first_at(const struct pel_smooth_far_place *end,
 
 #if PEL_SMOOTH_TINY
 int64_t pel_smooth_line_at(const struct pel_smooth_far_place end[2],
-                           const pel_dividend *step, int32_t y, bool bottom)
+                           const int64_t *step, int32_t y, bool bottom)
 {
     y += bottom;
     if (bottom ? end[1].y <= (int64_t)y * 65536 : end->y >= (int64_t)y * 65536)

@@ -2,7 +2,6 @@
 #ifndef PEL_SMOOTH_LINE_SIDE_H
 #define PEL_SMOOTH_LINE_SIDE_H
 
-#include "../base/divide.h"
 #include "outline.h"
 
 /* A place in 2^-16 px. */
@@ -28,7 +27,7 @@ static inline void pel_smooth_line_cross(struct pel_smooth_crossing *c,
 /* x at the top or the bottom of row y of a line down, which moves so far to the
  * next row, px 2^-32; or where it begins or ends in the row. */
 int64_t pel_smooth_line_at(const struct pel_smooth_far_place end[2],
-                           const pel_dividend *step, int32_t y, bool bottom);
+                           const int64_t *step, int32_t y, bool bottom);
 #else
 /* Where a part of a circle begins and ends, clockwise. */
 struct pel_smooth_ends {

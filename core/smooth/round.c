@@ -23,12 +23,10 @@ static void set_curve(const struct pel_smooth_round *r,
 
 #if PEL_SMOOTH_TINY
 bool pel_smooth_round_curve(const struct pel_smooth_short_outline *round,
-                            int32_t i, bool always,
-                            struct pel_smooth_curve *curve)
+                            int32_t i, struct pel_smooth_curve *curve)
 {
     const struct pel_smooth_round *const r = (const void *)round;
     PEL_CAST(void, i);
-    PEL_CAST(void, always);
     pel_smooth_circle_begin(&curve->circle, r->radius);
     curve->circle.of.inverse = r->inverse;
     set_curve(r, curve);

@@ -17,8 +17,7 @@ struct pel_smooth_round {
 
 /* Sets its curve (struct pel_smooth_kind). */
 bool pel_smooth_round_curve(const struct pel_smooth_short_outline *round,
-                            int32_t i, bool always,
-                            struct pel_smooth_curve *curve);
+                            int32_t i, struct pel_smooth_curve *curve);
 
 /* Begins to paint a whole curve, which reaches so far from its centre. */
 bool pel_smooth_curve_begin(struct pel_smooth_short_outline *outline,

@@ -16,8 +16,8 @@ struct arc {
         uint16_t x, y; /* the size of its direction */
     } ray[2];
     union {
-        pel_dividend step[2]; /* of the lines, to the next row: px 2^-32 */
-        uint32_t inverse;     /* of the half discs */
+        int64_t step[2];  /* of the lines, to the next row: px 2^-32 */
+        uint32_t inverse; /* of the half discs */
     } of;
 };
 
@@ -123,13 +123,13 @@ static void set_half(const struct arc *a, bool last, struct pel_smooth_curve *c)
 }
 
 static bool curve(const struct pel_smooth_short_outline *outline, int32_t i,
-                  bool always, struct pel_smooth_curve *c)
+                  struct pel_smooth_curve *c)
 {
     const struct arc *const a = (const void *)outline;
     c->spread.x = c->spread.y = 0;
     if (i < 2)
         set_circle(a, i, c);
-    else if (always || is_half_near(a, i == 2))
+    else if (is_half_near(a, i == 2))
         set_half(a, i == 2, c);
     else
         return false;
@@ -183,7 +183,7 @@ static bool find_line(const struct pel_smooth_short_outline *outline, int32_t i,
 {
     const struct arc *const a = (const void *)outline;
     const bool last = i == 0;
-    const pel_dividend *const step = &a->of.step[last];
+    const int64_t *const step = &a->of.step[last];
     const int32_t y = outline->seen.y, lower = !is_up(a, last);
     struct pel_smooth_far_place end[2];
     if (!is_line_near(a, last))
@@ -228,21 +228,15 @@ static bool find_joint(const struct pel_smooth_short_outline *outline,
                               y < to ? to : y);
 }
 
-static const struct pel_smooth_kind whole = {.sides = 0x31, .curve = curve};
-static const struct pel_smooth_kind butt = {0xA931, curve, cut, find_line};
-static const struct pel_smooth_kind pie = {0xA91, curve, cut, find_line};
-static const struct pel_smooth_kind rounded = {0xCBA97531, curve, cut,
-                                               find_joint};
-
-static bool has_halves(const struct pel_smooth_kind *kind)
-{
-    return kind->sides > 0xFFFF;
-}
+static const struct pel_smooth_kind whole = {.curves = 2, .curve = curve};
+static const struct pel_smooth_kind butt = {2, 2, curve, cut, find_line};
+static const struct pel_smooth_kind pie = {1, 2, curve, cut, find_line};
+static const struct pel_smooth_kind rounded = {4, 4, curve, cut, find_joint};
 
 static PEL_NOINLINE void set_rays(struct arc *a,
                                   const struct pel_smooth_kind *kind)
 {
-    const bool is_round = has_halves(kind);
+    const bool is_round = kind->curves > 2;
     const struct pel_point zero = {0, 0};
     struct pel_rise rise;
     for (int32_t last = 0; last < 2; last++) {
@@ -264,7 +258,7 @@ static PEL_NOINLINE void set_rays(struct arc *a,
 static PEL_NOINLINE bool begin_box(struct arc *a,
                                    const struct pel_smooth_kind *kind)
 {
-    const int32_t more = FAR + (has_halves(kind) ? radius_of(a, 2) : 0);
+    const int32_t more = FAR + (kind->curves > 2 ? radius_of(a, 2) : 0);
     struct pel_rect box = {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
     struct pel_smooth_curve c;
     set_circle(a, 0, &c);

@@ -3,7 +3,7 @@
 #include "round.h"
 
 #if PEL_SMOOTH_TINY
-static const struct pel_smooth_kind discs = {.sides = 0x1,
+static const struct pel_smooth_kind discs = {.curves = 1,
                                              .curve = pel_smooth_round_curve};
 
 static PEL_ALWAYS_INLINE void paint_disc(struct pel_smooth_round *disc)

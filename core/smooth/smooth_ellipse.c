@@ -142,15 +142,14 @@ struct oval {
 };
 
 static bool curve_of(const struct pel_smooth_short_outline *outline, int32_t i,
-                     bool always, struct pel_smooth_curve *curve)
+                     struct pel_smooth_curve *curve)
 {
     PEL_CAST(void, i);
-    PEL_CAST(void, always);
     set_curve(curve, &((const struct oval *)(const void *)outline)->ellipse);
     return true;
 }
 
-static const struct pel_smooth_kind kind = {.sides = 0x1, .curve = curve_of};
+static const struct pel_smooth_kind kind = {.curves = 1, .curve = curve_of};
 
 static bool begin_oval(struct oval *o)
 {

@@ -11,10 +11,10 @@ struct hollow {
 
 /* The hole is a second curve. */
 static bool curve_of(const struct pel_smooth_short_outline *outline, int32_t i,
-                     bool always, struct pel_smooth_curve *curve)
+                     struct pel_smooth_curve *curve)
 {
     const struct hollow *const t = (const void *)outline;
-    pel_smooth_round_curve(outline, i, always, curve);
+    pel_smooth_round_curve(outline, i, curve);
     if (i > 0) {
         pel_smooth_circle_begin(&curve->circle, t->radius);
         curve->circle.of.inverse = t->inverse;
@@ -23,7 +23,7 @@ static bool curve_of(const struct pel_smooth_short_outline *outline, int32_t i,
     return true;
 }
 
-static const struct pel_smooth_kind rings = {.sides = 0x31, .curve = curve_of};
+static const struct pel_smooth_kind rings = {.curves = 2, .curve = curve_of};
 
 static void set_hole(struct hollow *t, int32_t radius)
 {

@@ -22,12 +22,14 @@ static bool find_wall(const struct pel_smooth_short_outline *outline, int32_t i,
                       struct pel_smooth_crossing *c)
 {
     struct pel_smooth_curve curve;
-    pel_smooth_round_curve(outline, 0, false, &curve);
+    pel_smooth_round_curve(outline, 0, &curve);
     return wall_in(&curve, outline->seen.y, i, c);
 }
 
-static const struct pel_smooth_kind walls = {
-    .sides = 0xA91, .curve = pel_smooth_round_curve, .other = find_wall};
+static const struct pel_smooth_kind walls = {.curves = 1,
+                                             .others = 2,
+                                             .curve = pel_smooth_round_curve,
+                                             .other = find_wall};
 
 static PEL_ALWAYS_INLINE void paint_rounded(struct pel_smooth_round *t)
 {

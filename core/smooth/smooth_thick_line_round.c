@@ -106,9 +106,8 @@ static struct pel_smooth_place place_of(const struct capsule *c, int32_t i,
 }
 
 static bool curve_of(const struct pel_smooth_short_outline *outline, int32_t i,
-                     bool always, struct pel_smooth_curve *curve)
+                     struct pel_smooth_curve *curve)
 {
-    PEL_CAST(void, always);
     const struct capsule *const c = capsule_of(outline);
     struct pel_point end[2];
     put_in_order(c->line, end);
@@ -176,8 +175,7 @@ static bool find_line(const struct pel_smooth_short_outline *outline, int32_t i,
                                          !wide || lower, crossing);
 }
 
-static const struct pel_smooth_kind sides = {0xCBA931, curve_of, cut,
-                                             find_line};
+static const struct pel_smooth_kind sides = {2, 4, curve_of, cut, find_line};
 
 static PEL_NOINLINE void set_capsule(struct capsule *c)
 {
@@ -198,11 +196,7 @@ static PEL_NOINLINE bool begin(struct capsule *c)
     if (!is_legal(c->line))
         return false;
     const struct pel_rect box = box_of(c->line);
-    if (!pel_smooth_short_outline_begin(&c->outline, &box))
-        return false;
-    if (is_wide(c->line)) /* no curve is where a half begins */
-        pel_smooth_no_order(&c->outline, true);
-    return true;
+    return pel_smooth_short_outline_begin(&c->outline, &box);
 }
 
 void pel_smooth_thick_line_round(const struct pel_surface *surface,
