@@ -86,8 +86,8 @@
  * PEL_SMALL_CODE is 1, whose stack is as short. Text, fans, nine slices,
  * patterns, textures, blends and Phong take up to 1.6 times as long as with 0,
  * gradients in other shapes than rectangles, and horizontal ones, up to 2.5
- * times, smooth edges 3 to 10 times. With 0 -Os takes 1.1 times as long as
- * -O2, 1.5 times at most; a smooth shape has up to 2.1 KB of stack then, and 4
+ * times, smooth edges 3 to 12 times. With 0 -Os takes 1.1 times as long as
+ * -O2, 1.6 times at most; a smooth shape has up to 2.1 KB of stack then, and 4
  * to 9 KB more code. */
 #if PEL_SMALL_CODE
 #undef PEL_SHORT_STACK
