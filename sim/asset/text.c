@@ -64,9 +64,10 @@ const char *import_name(const char *output, char name[IMPORT_NAME])
     return name;
 }
 
-/* Names that the asset's files cannot have: words of C and of C++, what is
- * defined beside them, and functions of C's library, which would be the asset
- * in all of the program, without a word from the linker. */
+/* Names that the asset's files cannot have: words of C and of C++, macros, and
+ * those functions of the C library that an asset may well be named after: it
+ * would take their place in all of the program, without a word from the linker.
+ */
 static bool is_taken(const char *name)
 {
     static const char words[] =
