@@ -119,9 +119,9 @@ static inline bool pel_corners_legal(const struct pel_point v[3])
     return PEL_SMALL_CODE ? pel_points_legal(v, 3) : offset >> 24 == 0;
 }
 
-/* Twice a triangle's area in 1/65,536 px^2, below 2^50: above 0 where its legal
- * corners run clockwise on screen. */
-static PEL_SHARED int64_t pel_corners_area(const struct pel_point v[3])
+/* Twice a triangle's area in 1/65,536 px^2, below 2^50: above 0 where its three
+ * legal corners run clockwise on screen. */
+static PEL_SHARED int64_t pel_corners_area(const struct pel_point *v)
 {
     return pel_product(v[1].x - v[0].x, v[2].y - v[0].y) -
            pel_product(v[2].x - v[0].x, v[1].y - v[0].y);
