@@ -253,21 +253,25 @@ static int64_t set_fan(struct pel_frame *frame, int32_t i)
 }
 
 /* Draws what is left of a triangle as a fan around its first corner. Rounding
- * to sub-pixels may bend a sliver: a corner where the fan turns back is left
- * out, so that no pixel is hit twice. */
+ * to sub-pixels may bend a sliver: where the fan turns back, the corner before
+ * is left out if nothing has been drawn yet, else the corner behind, so that
+ * no pixel is hit twice. */
 static void draw_cut(struct pel_frame *frame)
 {
     struct pel_clip_corner **corner = frame->work->clip.polygon[0];
     const int32_t n = clip(frame);
     int64_t whole = 0;
+    bool begun = false;
     for (int32_t i = 2; i < n; i++)
         whole += set_fan(frame, i);
     for (int32_t i = 2; i < n; i++) {
         const int64_t area = set_fan(frame, i);
-        if (whole < 0 ? area > 0 : area < 0)
+        const bool back = whole < 0 ? area > 0 : area < 0;
+        if (back && begun)
             corner[i] = corner[i - 1];
-        else if (is_shown(frame, frame->work->triangle.at,
-                          &frame->work->surface.clip))
+        begun |= !back;
+        if (!back && is_shown(frame, frame->work->triangle.at,
+                              &frame->work->surface.clip))
             draw_triangle(frame);
     }
 }

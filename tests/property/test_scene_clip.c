@@ -63,6 +63,17 @@ static void any_corners(struct random *r, struct plane *p)
     }
 }
 
+static void set_plane(struct plane *p, uint32_t vertices, uint32_t triangles)
+{
+    p->mesh = (struct pel_mesh){.vertices = vertices,
+                                .triangles = triangles,
+                                .position = {{0, 0, 0}, 1, 8},
+                                .positions = (void *)p->positions,
+                                .indices8 = (void *)p->indices};
+    p->scene = (struct pel_scene){
+        .mesh = &p->mesh, .viewport = {0, 0, SIDE, SIDE}, .shading = &shading};
+}
+
 static void any_plane(struct random *r, struct plane *p)
 {
     any_corners(r, p);
@@ -73,19 +84,12 @@ static void any_plane(struct random *r, struct plane *p)
             {at, (uint8_t)(at + ROW + 1), (uint8_t)(at + 1)}};
         memcpy(p->indices[2 * i], two, sizeof two);
     }
-    p->mesh = (struct pel_mesh){.vertices = ROW * ROW,
-                                .triangles = 2 * CELLS * CELLS,
-                                .position = {{0, 0, 0}, 1, 8},
-                                .positions = (void *)p->positions,
-                                .indices8 = (void *)p->indices};
-    p->scene = (struct pel_scene){
-        .mesh = &p->mesh,
-        .camera = {.up = {random_between(r, -9, 9), 10, 0},
-                   .focal = random_between(r, 10, 200),
-                   .sensor = {100, 100},
-                   .near_plane = random_between(r, 100, PEL_UNITS(2))},
-        .viewport = {0, 0, SIDE, SIDE},
-        .shading = &shading};
+    set_plane(p, ROW * ROW, 2 * CELLS * CELLS);
+    p->scene.camera =
+        (struct pel_camera){.up = {random_between(r, -9, 9), 10, 0},
+                            .focal = random_between(r, 10, 200),
+                            .sensor = {100, 100},
+                            .near_plane = random_between(r, 100, PEL_UNITS(2))};
     for (int k = 0; k < 3; k++) {
         p->scene.camera.eye[k] =
             random_between(r, -PEL_UNITS(k == 1 ? 3 : 60), PEL_UNITS(60));
@@ -110,7 +114,7 @@ static int64_t area_of(const struct pel_frame *frame, const uint8_t *index)
 static bool is_folded(const struct plane *p, const struct pel_frame *frame)
 {
     bool up = false, down = false;
-    for (int32_t i = 0; i < 2 * CELLS * CELLS; i++) {
+    for (uint32_t i = 0; i < p->mesh.triangles; i++) {
         const int64_t area = area_of(frame, p->indices[i]);
         up |= area > 0;
         down |= area < 0;
@@ -132,7 +136,7 @@ static void draw(struct plane *p, int32_t rows)
     cases_forget();
     any_scene_keep(&p->scene);
     p->clipped = p->whole = false;
-    for (uint32_t i = 0; i < ROW * ROW; i++) {
+    for (uint32_t i = 0; i < p->mesh.vertices; i++) {
         const bool cut = frame.vertex[i].at.x == PEL_NOT_ON_SCREEN;
         p->clipped |= cut;
         p->whole |= !cut;
@@ -323,4 +327,32 @@ TEST(edges_are_cut_on_the_edge)
             }
         }
     }
+}
+
+/* Seen nearly from its edge, it is a wedge with two corners at the near plane,
+ * a few sub-pixels apart, which rounding swaps: they are left out, not it. */
+TEST(a_wedge_whose_end_is_twisted_is_drawn)
+{
+    static struct plane p;
+    static const int16_t corner[3][3] = {
+        {-10767, 0, 3589}, {-7178, 0, 7178}, {-7178, 0, 3589}};
+    const int32_t far = 16777216;
+    int32_t covered = 0;
+    memcpy(p.positions, corner, sizeof corner);
+    memcpy(p.indices, (uint8_t[]){0, 1, 2}, 3);
+    set_plane(&p, 3, 1);
+    p.mesh.position = (struct pel_quantization){{far, far, far}, 1, 16};
+    p.scene.camera =
+        (struct pel_camera){.eye = {16768456, 16776357, 16772100},
+                            .target = {16779385, 16780164, 16776382},
+                            .up = {-4, 10, 0},
+                            .focal = 11,
+                            .sensor = {100, 100},
+                            .near_plane = 1510};
+    draw(&p, SIDE);
+    for (int32_t i = 0; i < SIDE * SIDE; i++) {
+        assert_in_range(hits[i / SIDE][i % SIDE], 0, 1);
+        covered += hits[i / SIDE][i % SIDE];
+    }
+    assert_in_range(covered, 10, 20); /* of 14.6 px^2 */
 }
