@@ -101,6 +101,7 @@ for test in $(for file; do tests_of "$file"; done | tr ' ' '\n' | sort -u); do
     done
 done
 for build in $builds; do
+    mkdir -p "$work/$build"
     list_depends $build >"$work/$build/depends"
 done
 
