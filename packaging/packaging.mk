@@ -53,5 +53,6 @@ install: $(BUILD)/libpel.a $(BUILD)/libpel_linux.a $(SDL_LIBRARY) $(BUILD)/libpe
 
 CHECK_EXTRA += check-packages
 check-packages: all arduino ## projects of their own, one for every way to use Pel
-	@tests/tools/need.sh cmake:cmake groff:groff-base pkg-config:pkg-config
+	@tests/tools/need.sh cmake:cmake groff:groff-base pkg-config:pkg-config \
+	    i686-linux-gnu-gcc:gcc-i686-linux-gnu
 	PEL=$(BUILD)/pel tests/package/check.sh $(BUILD) $(PEL_VERSION)
