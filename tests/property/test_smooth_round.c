@@ -316,9 +316,9 @@ TEST(mirrors)
         s.kind = random_word(&c.random) % ROUNDED;
         s.kind = random_word(&c.random) % 3 ? s.kind : ELLIPSE;
         s.radius = random_between(&c.random, 0, side);
-        s.inner = random_between(&c.random, 0, s.radius);
-        if (random_word(&c.random) % 2)
-            s.center.x &= ~127;
+        s.inner = random_word(&c.random) % 4 ? s.radius : 400;
+        s.inner = random_between(&c.random, 0, pel_min(s.inner, s.radius));
+        s.center.x &= random_word(&c.random) % 2 ? ~127 : -1;
         s.center.y =
             random_between(&c.random, s.radius, PEL_PX(SIZE) - s.radius);
         s.center.y &= random_word(&c.random) % 2 ? ~127 : -1;
@@ -327,8 +327,8 @@ TEST(mirrors)
         mirror.center.x = PEL_PX(SIZE) - s.center.x;
         mirror.center.y = PEL_PX(SIZE) - s.center.y;
         for (int32_t y = 0; y < SIZE; y += 7) {
-            other.clip =
-                (struct pel_rect){0, y, SIZE / 3, pel_min(y + 7, SIZE)};
+            const int32_t y1 = pel_min(y + 7, SIZE);
+            other.clip = (struct pel_rect){0, y, SIZE / 3, y1};
             draw(&other, &mirror);
             other.clip.x0 = SIZE / 3;
             other.clip.x1 = SIZE;
