@@ -4,8 +4,8 @@
 
 #include "core/pel.h"
 
-/* That of a closed outline that does not cross itself; *edges is how many edges
- * cross the pixel. */
+/* The area inside a closed outline of n vertices, which does not cross itself;
+ * *edges is how many edges cross the pixel. */
 long double exact_area(const struct pel_point *v, int32_t n, int32_t x,
                        int32_t y, int *edges);
 
